@@ -121,8 +121,8 @@ void SegmentSequence::changes() {
 }
 
 void SegmentSequence::makes() {
-  const double low = chance_.below(1000);
-  (void)make(low, low + 500, count() < mostSegments ? "segment" : "segmentReplace");
+  const double low = chance_.below(1000), high = chance_.below(1200);
+  (void)make(low, high, count() < mostSegments ? "segment" : "segmentReplace");
 }
 
 void SegmentSequence::fillsBetween() {

@@ -5,18 +5,14 @@
 namespace volumen::tests {
 
 QString SegmentSequence::act() {
-  int all = 0;
-  for (const Act& each : acts()) all += each.often;
-  int n = chance_.below(all);
-  auto chosen = acts().begin();
-  for (; n >= chosen->often; ++chosen) n -= chosen->often;
+  const Act& chosen = anyAct(acts(), chance_);
   session().endGesture();
   const int before = steps() - first_;
-  (this->*chosen->run)();
-  const bool isNew = chosen->run != &SegmentSequence::redoes;
+  (this->*chosen.run)();
+  const bool isNew = chosen.run != &SegmentSequence::redoes;
   QString wrong = idle() ? remember(before, isNew) : QStringLiteral("it never ends");
   if (wrong.isEmpty()) wrong = wrongLabels();
-  return wrong.isEmpty() ? wrong : QStringLiteral("%1: %2").arg(QLatin1String(chosen->name), wrong);
+  return wrong.isEmpty() ? wrong : QStringLiteral("%1: %2").arg(QLatin1String(chosen.name), wrong);
 }
 
 // `isNew` is true if a new step must differ from all undone ones.

@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "tests/fixtures/chance.h"
 #include "tests/ui/paint_window.h"
+#include "tests/ui/random_walk.h"
 
 namespace volumen::tests {
 

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QTemporaryDir>
 #include <limits>
+#include <memory>
 
 #include "tests/ui/measure_window.h"
 #include "tests/ui/session_folder.h"
@@ -37,8 +38,6 @@ Q_DECLARE_METATYPE(Close)
 class TestAttacks : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void whatGoesInTheMiddleOfADrag_data();
-  void whatGoesInTheMiddleOfADrag();
   void windowsOfAnySize_data();
   void windowsOfAnySize();
   void aToolIsForTheSeriesOfItsView();
@@ -46,9 +45,15 @@ class TestAttacks : public QObject {
   void volumesOfNothing();
   void closedWhileItIsComputed_data();
   void closedWhileItIsComputed();
+  void whatGoesInTheMiddleOfADrag_data();
+  void whatGoesInTheMiddleOfADrag();
+
+ private:
+  std::unique_ptr<MeasureWindow> shared_;
 };
 
 void TestAttacks::whatGoesInTheMiddleOfADrag_data() {
+  shared_ = std::make_unique<MeasureWindow>();
   // Object name of the flat view's tool, or of the 3D tool with its action's name.
   QTest::addColumn<QByteArray>("tool");
   QTest::addColumn<int>("button");
@@ -82,14 +87,23 @@ void TestAttacks::whatGoesInTheMiddleOfADrag_data() {
   row("3D, right", "rotateTool", Qt::RightButton, Qt::NoModifier);
 }
 
-// What is shown instead keeps its state, and the window goes on.
+// What is shown instead keeps its state, and the window goes on, through all rows.
 void TestAttacks::whatGoesInTheMiddleOfADrag() {
   QFETCH(QByteArray, tool);
   QFETCH(int, button);
   QFETCH(int, keys);
   QFETCH(Switch, act);
   const LoadedSeriesPtr other = ballSeries(20, 6, {2, 1, 0}, {1.5, 1, 0.7});
-  MeasureWindow w;
+  MeasureWindow& w = *shared_;
+  w.child<QAction>("layoutOne")->trigger();
+  w.session().show(nullptr);
+  w.session().undoStack().clear();
+  w.session().setFocus(sceneViewId);
+  QVERIFY(w.window.view()->picture().isNull());
+  w.session().show(ballSeries(32, 10, {3, -2, 4}));
+  w.child<QAction>("layoutPlanes")->trigger();
+  QCoreApplication::processEvents();
+  w.session().setFocus(axialViewId);
   const bool in3d = tool.endsWith("Tool");
   if (in3d) {
     w.session().setFocus(sceneViewId);
@@ -101,6 +115,7 @@ void TestAttacks::whatGoesInTheMiddleOfADrag() {
   const Qt::MouseButton held = Qt::MouseButton(button);
   const Qt::KeyboardModifiers with(keys);
   const int steps = w.session().undoStack().index();
+  QCOMPARE(steps, 1);  // as in a new window
   press(view, {70, 60}, held, with);
   for (const QPoint at : {QPoint(80, 66), QPoint(95, 80), QPoint(90, 100)}) moveTo(view, at, held, with);
   act(w, other);

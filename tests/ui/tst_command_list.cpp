@@ -5,6 +5,7 @@
 #include <QPointer>
 #include <QTemporaryDir>
 #include <QTreeWidget>
+#include <memory>
 
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/hanging_window.h"
@@ -15,8 +16,6 @@
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
 
 struct CommandWindow : MeasureWindow {
   CommandWindow() {
@@ -43,14 +42,10 @@ struct CommandWindow : MeasureWindow {
   QString current() { return rows()->currentItem() ? rows()->currentItem()->text(0) : QString(); }
 };
 
-}  // namespace
-
 class TestCommandList : public CleanSettings {
   Q_OBJECT
  private Q_SLOTS:
   void itHoldsAllCommands();
-  void wordsAreFoundAnywhere_data();
-  void wordsAreFoundAnywhere();
   void enterDoesTheFirst();
   void arrowsGoThroughWhatCanBeDone();
   void whatCannotBeDoneIsGrey();
@@ -65,9 +60,14 @@ class TestCommandList : public CleanSettings {
   void aPresetIsFoundByItsName();
   void aSeriesIsFoundByItsName();
   void aProtocolIsFoundByItsName();
+  void whatWasOpenedIsFoundThoughItsMenuIsFilledAgain();
+  void wordsAreFoundAnywhere_data();
+  void wordsAreFoundAnywhere();
   void otherWordsFindIt_data();
   void otherWordsFindIt();
-  void whatWasOpenedIsFoundThoughItsMenuIsFilledAgain();
+
+ private:
+  std::unique_ptr<CommandWindow> shared_;  // of rows that only search
 };
 
 void TestCommandList::itHoldsAllCommands() {
@@ -95,6 +95,7 @@ void TestCommandList::itHoldsAllCommands() {
 }
 
 void TestCommandList::wordsAreFoundAnywhere_data() {
+  shared_ = std::make_unique<CommandWindow>();
   QTest::addColumn<QString>("typed");
   QTest::addColumn<QString>("found");
   QTest::newRow("a word") << QStringLiteral("anterior") << QStringLiteral("Anterior view");
@@ -109,7 +110,7 @@ void TestCommandList::wordsAreFoundAnywhere_data() {
 void TestCommandList::wordsAreFoundAnywhere() {
   QFETCH(QString, typed);
   QFETCH(QString, found);
-  CommandWindow w;
+  CommandWindow& w = *shared_;
   w.search()->setText(typed);
   QCOMPARE(w.row(0) ? w.row(0)->text(0) : QString(), found);
   w.search()->clear();
@@ -330,9 +331,8 @@ void TestCommandList::otherWordsFindIt_data() {
 void TestCommandList::otherWordsFindIt() {
   QFETCH(QString, typed);
   QFETCH(QString, found);
-  CommandWindow w;
-  w.search()->setText(typed);
-  QCOMPARE(w.current(), found);
+  shared_->search()->setText(typed);
+  QCOMPARE(shared_->current(), found);
 }
 
 VOLUMEN_TEST(TestCommandList);

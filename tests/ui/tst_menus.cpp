@@ -6,6 +6,7 @@
 #include <QTextBrowser>
 #include <QToolBar>
 #include <QWidgetAction>
+#include <memory>
 
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
@@ -48,13 +49,21 @@ const QWidget* menuAt(const QMainWindow& window, const QString& titles) {
 class TestMenus : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void init() { QSettings().clear(); }
+  void initTestCase();
   void menusHoldWhatTheyShould_data();
   void menusHoldWhatTheyShould();
   void theToolBarHoldsWhatItShould();
   void noMenuIsLongerThanAScreen();
   void theKeysFitAScreenAndScroll();
+
+ private:
+  std::unique_ptr<const MainWindow> window_;
 };
+
+void TestMenus::initTestCase() {
+  QSettings().clear();
+  window_ = std::make_unique<const MainWindow>(realServices());
+}
 
 void TestMenus::menusHoldWhatTheyShould_data() {
   QTest::addColumn<QStringList>("entries");
@@ -115,15 +124,13 @@ void TestMenus::menusHoldWhatTheyShould_data() {
 
 void TestMenus::menusHoldWhatTheyShould() {
   QFETCH(QStringList, entries);
-  const MainWindow window(realServices());
-  const QWidget* menu = menuAt(window, QString::fromLatin1(QTest::currentDataTag()));
+  const QWidget* menu = menuAt(*window_, QString::fromLatin1(QTest::currentDataTag()));
   QVERIFY(menu);
   QCOMPARE(entriesOf(menu), entries);
 }
 
 void TestMenus::theToolBarHoldsWhatItShould() {
-  const MainWindow window(realServices());
-  QCOMPARE(entriesOf(window.findChild<QToolBar*>(QStringLiteral("tools"))),
+  QCOMPARE(entriesOf(window_->findChild<QToolBar*>(QStringLiteral("tools"))),
            listed("Open folder...; Study list; Undo; Redo; |; "
                   "Rotate; Adjust curve (W/L); Scissors; Reset view; |; "
                   "Window\tW; Scroll; Pan; Zoom; Crosshair; Magnifier; |; "
@@ -133,8 +140,7 @@ void TestMenus::theToolBarHoldsWhatItShould() {
 
 // The screen has 768 lines.
 void TestMenus::noMenuIsLongerThanAScreen() {
-  const MainWindow window(realServices());
-  for (const QAction* title : window.menuBar()->actions())
+  for (const QAction* title : window_->menuBar()->actions())
     QVERIFY2(title->menu()->sizeHint().height() < 700, qPrintable(title->text()));
 }
 

@@ -26,8 +26,6 @@ class TestSegmentScissors : public QObject {
   void whatIsDrawnAroundInSlicesGoes();
   void theDepthIsThatOfThePage();
   void twoInARowAreTwoSteps();
-  void whatCannotBeCutIsSaid_data();
-  void whatCannotBeCutIsSaid();
   void framesAreNotCut();
   void whatIsGivenUpCutsNothing_data();
   void whatIsGivenUpCutsNothing();
@@ -172,45 +170,6 @@ void TestSegmentScissors::twoInARowAreTwoSteps() {
   QVERIFY(subtracted(w.mask(1), onLine) == subtracted(subtracted(uncut, second.inside), onLine));
   w.undo();
   QVERIFY(first.leaves(w.mask(1), uncut));
-}
-
-void TestSegmentScissors::whatCannotBeCutIsSaid_data() {
-  QTest::addColumn<CutAct>("act");
-  QTest::addColumn<bool>("inScene");
-  QTest::addColumn<QString>("says");
-  const auto rows = [](const char* name, CutAct act, const char* says) {
-    for (const bool inScene : {false, true})
-      QTest::addRow("%s, %s", name, inScene ? "3D" : "slice") << act << inScene << QString::fromLatin1(says);
-  };
-  rows(
-      "locked", [](CutWindow& w) { w.tick(0, 1); }, "is locked: unlock it first");
-  rows(
-      "none of it there",
-      [](CutWindow& w) {
-        w.click("segmentAdd");
-        QVERIFY(w.idle());
-        QCOMPARE(w.current().number, 3);
-      },
-      "Nothing of the current segment was cut away");
-}
-
-void TestSegmentScissors::whatCannotBeCutIsSaid() {
-  QFETCH(CutAct, act);
-  QFETCH(bool, inScene);
-  QFETCH(QString, says);
-  CutWindow w;
-  QVERIFY(w.begin());
-  w.show(throughMiddle());
-  act(w);
-  QVERIFY(w.idle());
-  const Workspace before = w.workspace();
-  if (inScene)
-    w.drawIn(w.scene(), outlineAt(w.scenePixel(glm::dvec3(-5)), 40));
-  else
-    w.stroke(outlineAt(w.pixelOf(glm::dvec3(-5), axialViewId), 50));
-  QVERIFY(w.idle());
-  QVERIFY(w.isAs(before));
-  QVERIFY2(w.said().contains(says), qPrintable(w.said()));
 }
 
 void TestSegmentScissors::framesAreNotCut() {

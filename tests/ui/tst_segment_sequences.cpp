@@ -16,7 +16,7 @@ class TestSegmentSequences : public QObject {
 
 void TestSegmentSequences::allIsUndoneAndDoneAgain_data() {
   QTest::addColumn<int>("seed");
-  const Seeds seeds = seedsOf(3, 10);
+  const Seeds seeds = seedsOf(4, 12);
   for (int seed = seeds.first; seed < seeds.behindLast(); ++seed) QTest::addRow("seed %d", seed) << seed;
 }
 

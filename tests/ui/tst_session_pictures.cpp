@@ -2,6 +2,7 @@
 #include <QComboBox>
 #include <QSpinBox>
 
+#include <memory>
 #include <tuple>
 
 #include "tests/fixtures/program.h"
@@ -76,6 +77,9 @@ class TestSessionPictures : public QObject {
   void segmentsComeBackWithTheSession();
   void theProgramRefusesWhatContradicts_data();
   void theProgramRefusesWhatContradicts();
+
+ private:
+  std::unique_ptr<SessionFolder> refused_;  // of theProgramRefusesWhatContradicts
 };
 
 void TestSessionPictures::theProgramDrawsTheSnapshot_data() {
@@ -217,23 +221,23 @@ void TestSessionPictures::theProgramRefusesWhatContradicts_data() {
   row("convert", "convert S -o V", 1, "is a session, not a volume");
   row("slice", "slice S -o P", 1, "is a session, not a volume");
   row("bench", "bench S --views 1", 1, "is a session, not a volume");
+  refused_ = std::make_unique<SessionFolder>();
+  const SessionFolder& folder = *refused_;
+  Journey w({folder.ct()});
+  QVERIFY(w.settle());
+  QVERIFY(folder.save(w));
+  QVERIFY(QFile::copy(folder.ct(), folder.at("gone.nrrd")));
+  w.window.session().show(nullptr);
+  QVERIFY(settles(w, [&] { w.window.open({folder.at("gone.nrrd")}); }));
+  QVERIFY(folder.save(w, "gone.volumen"));
+  QVERIFY(QFile::remove(folder.at("gone.nrrd")));
 }
 
 void TestSessionPictures::theProgramRefusesWhatContradicts() {
-  const SessionFolder folder;
   QFETCH(QString, line);
   QFETCH(int, status);
   QFETCH(QString, words);
-  {
-    Journey w({folder.ct()});
-    QVERIFY(w.settle());
-    QVERIFY(folder.save(w));
-    QVERIFY(QFile::copy(folder.ct(), folder.at("gone.nrrd")));
-    w.window.session().show(nullptr);
-    QVERIFY(settles(w, [&] { w.window.open({folder.at("gone.nrrd")}); }));
-    QVERIFY(folder.save(w, "gone.volumen"));
-  }
-  QVERIFY(QFile::remove(folder.at("gone.nrrd")));
+  const SessionFolder& folder = *refused_;
   line.replace(QStringLiteral("GONE"), folder.at("gone.volumen"));
   line.replace(QStringLiteral(" S"), QLatin1Char(' ') + folder.at("s.volumen"));
   line.replace(QStringLiteral("-o P"), QStringLiteral("-o ") + folder.at("p.png"));

@@ -6,7 +6,6 @@
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/turned_frames.h"
-#include "tests/ui/turned_run.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -26,7 +25,7 @@ void TestTurnedFrames::pixelsAppearWhereTheTwinHasThem_data() {
 
 void TestTurnedFrames::pixelsAppearWhereTheTwinHasThem() {
   QFETCH(int, seed);
-  const QString why = wrongInSequence<TurnedFrames>(seed, 25);
+  const QString why = TurnedFrames(seed).wrongAfter(25);
   QVERIFY2(why.isEmpty(), qPrintable(why));
 }
 

@@ -5,7 +5,6 @@
 // VOLUMEN_RANDOM_CASES=N, VOLUMEN_RANDOM_SEED=S: N sequences, from S on.
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/clean_settings.h"
-#include "tests/ui/turned_run.h"
 #include "tests/ui/turned_sequence.h"
 #include "tests/unit/suite.h"
 
@@ -26,7 +25,7 @@ void TestTurnedViews::placesAppearWhereTheTwinHasThem_data() {
 
 void TestTurnedViews::placesAppearWhereTheTwinHasThem() {
   QFETCH(int, seed);
-  const QString why = wrongInSequence<TurnedSequence>(seed, 25);
+  const QString why = TurnedSequence(seed).wrongAfter(25);
   QVERIFY2(why.isEmpty(), qPrintable(why));
 }
 

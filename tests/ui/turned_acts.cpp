@@ -1,15 +1,9 @@
-#include <QMouseEvent>
-#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 
-#include "tests/ui/gestures.h"
-#include "tests/ui/known_steps.h"
 #include "tests/ui/turned_sequence.h"
 #include "ui/views/cross_lines.h"
-#include "ui/views/drawn_measurement.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/session_json.h"
 
 namespace volumen::tests {
 
@@ -17,21 +11,9 @@ namespace {
 
 QPointF pointAt(glm::dvec2 place) { return {place.x, place.y}; }
 
-void moveWithShift(QWidget* on, QPointF at) {
-  QMouseEvent move(QEvent::MouseMove, at, on->mapToGlobal(at), Qt::NoButton, Qt::NoButton, Qt::ShiftModifier);
-  QCoreApplication::sendEvent(on, &move);
-}
-
-// Returns a workspace without focus and selection, for comparisons.
-Workspace comparable(Workspace workspace) {
-  workspace.focus = sceneViewId;
-  workspace.selected = 0;
-  return workspace;
-}
-
 }  // namespace
 
-const std::vector<TurnedSequence::Act>& TurnedSequence::acts() {
+auto TurnedSequence::acts() -> const std::vector<Act>& {
   static const std::vector<Act> all{{"turn", 5, &TurnedSequence::turns},
                                     {"pan", 3, &TurnedSequence::pans},
                                     {"zoom", 3, &TurnedSequence::zooms},
@@ -59,26 +41,10 @@ const std::vector<TurnedSequence::Act>& TurnedSequence::acts() {
   return all;
 }
 
-QString TurnedSequence::act() {
-  int all = 0;
-  for (const Act& a : acts()) all += a.often;
-  int chosen = chance_.below(all);
-  const Act* act = acts().data();
-  for (; chosen >= act->often; ++act) chosen -= act->often;
+ViewId TurnedSequence::anyView() {
   look();
-  if (twin_.onScreen.empty())
-    return child<QAction>("layoutPlanes")->trigger(), look(), remember(), QStringLiteral("planes");
-  focus_ = twin_.onScreen[std::size_t(chance_.below(int(twin_.onScreen.size())))];
-  session().setFocus(focus_);
-  session().endGesture();
-  detail_.clear();
-  const int before = session().undoStack().index();
-  if (!(this->*act->act)()) return {};
-  session().endGesture();
-  look();
-  const bool isStep = act->act != &TurnedSequence::undoes && act->act != &TurnedSequence::redoes;
-  if (isStep && session().undoStack().index() != before) remember();
-  return QStringLiteral("%1 in view %2 %3").arg(QLatin1String(act->name)).arg(focus_).arg(detail_).trimmed();
+  if (twin_.onScreen.empty()) child<QAction>("layoutPlanes")->trigger(), look();
+  return twin_.onScreen[std::size_t(chance_.below(int(twin_.onScreen.size())))];
 }
 
 // Returns a random whole pixel in the middle part of a view.
@@ -134,7 +100,6 @@ bool TurnedSequence::scrolls() {
   return true;
 }
 
-// With Shift held, the crosshair follows the pointer.
 bool TurnedSequence::movesCrosshair() {
   const TwinSeen seen = twin_.seen(focus_);
   const glm::dvec2 to = somewhere(focus_, 0.5);
@@ -143,9 +108,7 @@ bool TurnedSequence::movesCrosshair() {
   const glm::dvec3 voxel = glm::inverse(g.patientFromVoxelStep) * (p - g.origin);
   for (int axis = 0; axis < 3; ++axis)
     if (voxel[axis] < 0 || voxel[axis] > g.size[axis] - 1) return false;
-  hover(view(focus_), pointAt(to + glm::dvec2(40, 0)));
-  moveWithShift(view(focus_), pointAt(to));
-  hover(view(focus_), pointAt(to + glm::dvec2(1, 0)));
+  pointWithShift(pointAt(to));
   TwinCross now = twin_.cross(focus_);
   now.at = p;
   twin_.setCross(focus_, now);
@@ -256,70 +219,23 @@ bool TurnedSequence::overlays() {
 }
 
 bool TurnedSequence::measures() {
-  SliceView* const on = view(focus_);
   const glm::dvec2 from = somewhere(focus_, 0.5), to = somewhere(focus_, 0.5);
   if (glm::distance(from, to) < 40 || std::min(std::abs(from.x - to.x), std::abs(from.y - to.y)) < 8)
     return false;
-  for (const DrawnMeasurement& d : on->drawnMeasurements())
-    if (hitAt({d}, pointAt(from))) return false;
   const TwinSeen seen = twin_.seen(focus_);
   const bool isLine = chance_.oneIn(2);
-  const std::size_t before = workspace().measurements.size();
-  child<QAction>(isLine ? "lengthTool" : "rectangleTool")->trigger();
-  drag(on, pointAt(from), pointAt(to));
-  if (workspace().measurements.size() != before + 1) return fault_ = QStringLiteral("nothing is drawn"), true;
-  TwinShape shape{workspace().measurements.back().id, isLine, seen.patientAt(from), seen.patientAt(to), {}};
-  const auto said = [&] {
-    for (const DrawnMeasurement& d : on->drawnMeasurements())
-      if (d.id == shape.id) shape.said = d.text.value(0);
-    return !shape.said.isEmpty();
-  };
   const glm::dvec2 mm = glm::abs(to - from) * seen.mmPerPixel;
   const double number = isLine ? glm::length(mm) : mm.x * mm.y;
-  if (!QTest::qWaitFor(said, 5000)) fault_ = QStringLiteral("no number");
-  const auto is = QRegularExpression(QStringLiteral("[\\d.]+")).match(shape.said).captured().toDouble();
-  if (std::abs(is - number) > 0.05 + 0.006 * number)
-    fault_ = QStringLiteral("says %1 instead of %2").arg(shape.said).arg(number);
-  twin_.shapes.push_back(shape);
-  return true;
+  return RandomWalk::measures(
+      view(focus_), isLine ? "lengthTool" : "rectangleTool", pointAt(from), pointAt(to), number,
+      0.05 + 0.006 * number, [&](int id, const QString& said) {
+        twin_.shapes.push_back({id, isLine, seen.patientAt(from), seen.patientAt(to), said});
+      });
 }
 
 bool TurnedSequence::resizes() {
   window.resize(900 + chance_.below(300), 640 + chance_.below(200));
   return true;
-}
-
-bool TurnedSequence::undoes() {
-  return undoneTo(*this, first_, known_, [this](int step) { take(step); });
-}
-
-bool TurnedSequence::redoes() {
-  return doneAgain(*this, known_, [this](int step) { take(step); });
-}
-
-QString TurnedSequence::wrongUndone() {
-  const int last = session().undoStack().index();
-  for (const int to : {first_, last}) {
-    goToStep(*this, to);
-    if (comparable(workspace()) != comparable(known_.at(to).workspace))
-      return QStringLiteral("another workspace");
-    take(to);
-    if (const QString why = wrong(); !why.isEmpty()) return why;
-  }
-  return {};
-}
-
-QString TurnedSequence::wrongInSession() {
-  const Result<std::string> text = sessionToJson(workspace(), "");
-  if (!text) return QString::fromStdString(text.message());
-  const auto back = sessionFromJson(*text, [&](const SavedSeries& saved) {
-    return workspace().series.at({saved.series.path, saved.series.id}).series;
-  });
-  if (!back) return QString::fromStdString(back.message());
-  if (comparable(back->workspace) != comparable(workspace())) return QStringLiteral("another workspace");
-  session().open(QStringLiteral("Open"), Workspace{});
-  session().open(QStringLiteral("Open"), back->workspace);
-  return wrong();
 }
 
 }  // namespace volumen::tests

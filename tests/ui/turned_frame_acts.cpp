@@ -1,14 +1,9 @@
 #include <QMenu>
-#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <glm/matrix.hpp>
 
-#include "tests/ui/gestures.h"
-#include "tests/ui/known_steps.h"
-#include "tests/ui/turned_focus.h"
 #include "tests/ui/turned_frames.h"
-#include "ui/views/drawn_measurement.h"
 
 namespace volumen::tests {
 
@@ -18,64 +13,50 @@ QPointF dotAt(glm::dvec2 place) { return {place.x, place.y}; }
 
 }  // namespace
 
-void TurnedFrames::remember() {
-  const int step = session().undoStack().index();
-  known_.erase(known_.lower_bound(step), known_.end());
-  known_[step] = {looks_, lines_, workspace()};
-}
-
-void TurnedFrames::take(int step) {
-  looks_ = known_.at(step).looks;
-  lines_ = known_.at(step).lines;
+void TurnedFrames::take(const FramesTwin& twin) {
+  twin_ = twin;
   look();
 }
 
-QString TurnedFrames::act() {
-  static const std::vector<Act> acts{{"hang", 3, &TurnedFrames::hangs},
-                                     {"turn", 6, &TurnedFrames::turns},
-                                     {"pan", 3, &TurnedFrames::pans},
-                                     {"zoom", 3, &TurnedFrames::zooms},
-                                     {"scroll", 3, &TurnedFrames::scrolls},
-                                     {"presentation", 5, &TurnedFrames::presents},
-                                     {"invert", 1, &TurnedFrames::inverts},
-                                     {"reset view", 2, &TurnedFrames::resets},
-                                     {"own pixels", 1, &TurnedFrames::showsOwnPixels},
-                                     {"measure", 3, &TurnedFrames::measures},
-                                     {"play", 2, &TurnedFrames::plays},
-                                     {"number", 1, &TurnedFrames::typesNumber},
-                                     {"link", 1, &TurnedFrames::links},
-                                     {"keys", 2, &TurnedFrames::movesFocus},
-                                     {"save session", 1, &TurnedFrames::savesSession},
-                                     {"open session", 2, &TurnedFrames::opensSession},
-                                     {"resize", 2, &TurnedFrames::resizes},
-                                     {"undo", 4, &TurnedFrames::undoes},
-                                     {"redo", 2, &TurnedFrames::redoes}};
-  int all = 0;
-  for (const Act& a : acts) all += a.often;
-  int chosen = chance_.below(all);
-  const Act* act = acts.data();
-  for (; chosen >= act->often; ++act) chosen -= act->often;
+auto TurnedFrames::acts() -> const std::vector<Act>& {
+  static const std::vector<Act> all{{"hang", 3, &TurnedFrames::hangs},
+                                    {"turn", 6, &TurnedFrames::turns},
+                                    {"pan", 3, &TurnedFrames::pans},
+                                    {"zoom", 3, &TurnedFrames::zooms},
+                                    {"scroll", 3, &TurnedFrames::scrolls},
+                                    {"presentation", 5, &TurnedFrames::presents},
+                                    {"invert", 1, &TurnedFrames::inverts},
+                                    {"reset view", 2, &TurnedFrames::resets},
+                                    {"own pixels", 1, &TurnedFrames::showsOwnPixels},
+                                    {"measure", 3, &TurnedFrames::measures},
+                                    {"play", 2, &TurnedFrames::plays},
+                                    {"number", 1, &TurnedFrames::typesNumber},
+                                    {"link", 1, &TurnedFrames::links},
+                                    {"keys", 2, &TurnedFrames::movesFocus},
+                                    {"save session", 1, &TurnedFrames::savesSession},
+                                    {"open session", 2, &TurnedFrames::opensSession},
+                                    {"resize", 2, &TurnedFrames::resizes},
+                                    {"undo", 4, &TurnedFrames::undoes},
+                                    {"redo", 2, &TurnedFrames::redoes}};
+  return all;
+}
+
+ViewId TurnedFrames::anyView() {
   look();
-  focus_ = onScreen_[std::size_t(chance_.below(int(onScreen_.size())))];
-  session().setFocus(focus_);
-  session().endGesture();
-  detail_.clear();
-  const int before = session().undoStack().index();
-  if (!(this->*act->act)()) return {};
-  session().endGesture();
-  if (const auto touched = looks_.find(focus_); touched != looks_.end() && isAsFaced(touched->second))
+  return onScreen_[std::size_t(chance_.below(int(onScreen_.size())))];
+}
+
+void TurnedFrames::afterAct() {
+  if (const auto touched = twin_.looks.find(focus_);
+      touched != twin_.looks.end() && isAsFaced(touched->second))
     touched->second.isFacing = true;
   look();
-  if (act->act == &TurnedFrames::hangs) wrong();  // waits for its frames
-  const bool isStep = act->act != &TurnedFrames::undoes && act->act != &TurnedFrames::redoes;
-  if (isStep && session().undoStack().index() != before) remember();
-  return QStringLiteral("%1 in view %2 %3").arg(QLatin1String(act->name)).arg(focus_).arg(detail_).trimmed();
 }
 
 // Returns the look of the view in focus, which is the reader's own from now on.
 TwinFrameLook& TurnedFrames::touched() {
   seen(focus_);
-  TwinFrameLook& look = looks_.at(focus_);
+  TwinFrameLook& look = twin_.looks.at(focus_);
   look.isFacing = false;
   return look;
 }
@@ -98,6 +79,7 @@ bool TurnedFrames::hangs() {
   look();
   if (session().undoStack().index() == before) return false;
   takeHung();
+  wrong();  // waits for its frames
   detail_ = next ? QStringLiteral("next") : QStringLiteral("previous");
   return true;
 }
@@ -142,7 +124,7 @@ bool TurnedFrames::zooms() {
 // Scrolls through the pictures of the stack. A presentation state applies only to its own picture.
 bool TurnedFrames::scrolls() {
   if (!isStack_) return false;
-  TwinFrameLook& look = looks_.at(focus_);
+  TwinFrameLook& look = twin_.looks.at(focus_);
   if (look.state >= 0) return false;
   const int notches = chance_.oneIn(2) ? 1 : -1, to = std::clamp(look.picture + notches, 0, 3);
   if (to == look.picture) return false;
@@ -156,7 +138,7 @@ bool TurnedFrames::scrolls() {
 // Chooses a presentation state in the menu. It replaces everything done before.
 bool TurnedFrames::presents() {
   if (isClip_) return false;
-  TwinFrameLook& look = looks_.at(focus_);
+  TwinFrameLook& look = twin_.looks.at(focus_);
   const int state = chance_.below(3) - 1;
   QTest::mouseClick(view(focus_), Qt::RightButton, {}, view(focus_)->rect().center());
   QMenu* menu = nullptr;
@@ -183,7 +165,7 @@ bool TurnedFrames::presents() {
 }
 
 bool TurnedFrames::inverts() {
-  TwinFrameLook& look = looks_.at(focus_);
+  TwinFrameLook& look = twin_.looks.at(focus_);
   QTest::keyClick(view(focus_), Qt::Key_I);
   look.inverted = !look.inverted;
   return true;
@@ -206,58 +188,25 @@ bool TurnedFrames::showsOwnPixels() {
 }
 
 bool TurnedFrames::measures() {
-  FrameView* const on = view(focus_);
   const Seen s = seen(focus_);
   const glm::dvec2 size = sizes_.at(focus_);
   const auto somewhere = [&] {
     return glm::floor(size * glm::dvec2(chance_.between(0.3, 0.7), chance_.between(0.3, 0.7)));
   };
   const glm::dvec2 from = somewhere(), to = somewhere();
-  if (glm::distance(from, to) < 30 || lines_.size() > 4) return false;
-  for (const DrawnMeasurement& d : on->drawnMeasurements())
-    if (hitAt({d}, dotAt(from))) return false;
-  const std::size_t before = workspace().measurements.size();
-  child<QAction>("lengthTool")->trigger();
-  drag(on, dotAt(from), dotAt(to));
-  if (workspace().measurements.size() != before + 1) return fault_ = QStringLiteral("nothing is drawn"), true;
-  TwinLine line{
-      workspace().measurements.back().id, looks_.at(focus_).picture, s.pixelAt(from), s.pixelAt(to), {}};
-  const auto said = [&] {
-    for (const DrawnMeasurement& d : on->drawnMeasurements())
-      if (d.id == line.id) line.said = d.text.value(0);
-    return !line.said.isEmpty();
-  };
-  if (!QTest::qWaitFor(said, 3000)) fault_ = QStringLiteral("no number");
+  if (glm::distance(from, to) < 30 || twin_.lines.size() > 4) return false;
+  TwinLine line{0, twin_.looks.at(focus_).picture, s.pixelAt(from), s.pixelAt(to), {}};
   const double mm = glm::length((line.to - line.from) * s.spacing);
-  const double is = QRegularExpression(QStringLiteral("[\\d.]+")).match(line.said).captured().toDouble();
-  if (std::abs(is - mm) > 0.005 + 0.006 * mm)
-    fault_ = QStringLiteral("says %1 instead of %2").arg(line.said).arg(mm);
-  lines_.push_back(line);
-  return true;
+  return RandomWalk::measures(view(focus_), "lengthTool", dotAt(from), dotAt(to), mm, 0.005 + 0.006 * mm,
+                              [&](int id, const QString& said) {
+                                line.id = id, line.said = said;
+                                twin_.lines.push_back(line);
+                              });
 }
 
 bool TurnedFrames::resizes() {
   window.resize(1000 + chance_.below(300), 640 + chance_.below(200));
   return true;
-}
-
-bool TurnedFrames::undoes() {
-  return undoneTo(*this, first_, known_, [this](int step) { take(step); });
-}
-
-bool TurnedFrames::redoes() {
-  return doneAgain(*this, known_, [this](int step) { take(step); });
-}
-
-// Facing views follow the size of the window, so only the appearance of positions must be restored.
-QString TurnedFrames::wrongUndone() {
-  const int last = session().undoStack().index();
-  for (const int to : {first_, last}) {
-    goToStep(*this, to);
-    take(to);
-    if (const QString why = wrong(); !why.isEmpty()) return why;
-  }
-  return {};
 }
 
 }  // namespace volumen::tests

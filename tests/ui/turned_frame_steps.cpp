@@ -1,24 +1,12 @@
 #include <algorithm>
 
-#include "tests/ui/turned_focus.h"
 #include "tests/ui/turned_frames.h"
 
 namespace volumen::tests {
 
-namespace {
-
-// Returns what a session keeps, without focus and selection.
-Workspace keptOf(Workspace workspace) {
-  workspace.focus = sceneViewId;
-  workspace.selected = 0;
-  return workspace;
-}
-
-}  // namespace
-
 // Plays the pictures of a series. The clock decides how far it gets before C is pressed again.
 bool TurnedFrames::plays() {
-  const TwinFrameLook& look = looks_.at(focus_);
+  const TwinFrameLook& look = twin_.looks.at(focus_);
   if (!isStack_ || look.state >= 0) return false;
   FrameView* const on = view(focus_);
   const auto onScreen = [&] { return on->frame() ? on->frame()->key.index : -1; };
@@ -41,9 +29,9 @@ bool TurnedFrames::plays() {
 bool TurnedFrames::typesNumber() {
   if (!isStack_) return false;
   const int number = 1 + chance_.below(4);
-  const bool isMeant = looks_.at(focus_).state < 0 && !chance_.oneIn(3);
+  const bool isMeant = twin_.looks.at(focus_).state < 0 && !chance_.oneIn(3);
   if (const QString why = wrongAfterNumber(*this, number, isMeant); !why.isEmpty()) fault_ = why;
-  if (isMeant && looks_.at(focus_).picture != number - 1) touched().picture = number - 1;
+  if (isMeant && twin_.looks.at(focus_).picture != number - 1) touched().picture = number - 1;
   detail_ = isMeant ? QString::number(number) : QStringLiteral("%1, given up").arg(number);
   return true;
 }
@@ -61,19 +49,10 @@ bool TurnedFrames::links() {
 
 // Facing views change their size while one is maximised.
 bool TurnedFrames::movesFocus() {
-  const char* const keys[] = {"Tab", "Shift+Tab", "F6", "F10", "F10, Esc", "Shift+F10"};
-  const int which = chance_.below(6);
-  const auto wrongAlone = [this] {
+  return RandomWalk::movesFocus([this] {
     sizes_[focus_] = {view(focus_)->pixels().width(), view(focus_)->pixels().height()};
-    return looks_.at(focus_).isFacing ? QString() : wrongIn(focus_);
-  };
-  const QString why = which < 2    ? wrongAfterTab(*this, which == 1)
-                      : which == 2 ? wrongAfterParts(*this)
-                      : which < 5  ? wrongWhileAlone(*this, which == 4, wrongAlone)
-                                   : wrongAfterMenu(*this);
-  if (!why.isEmpty()) fault_ = why;
-  detail_ = QLatin1String(keys[which]);
-  return true;
+    return twin_.looks.at(focus_).isFacing ? QString() : wrongIn(focus_);
+  });
 }
 
 bool TurnedFrames::savesSession() {
@@ -83,14 +62,14 @@ bool TurnedFrames::savesSession() {
   if (!QTest::qWaitFor([&] { return window.windowTitle().contains(name); }, longest))
     fault_ = QStringLiteral("the session is not saved");
   takeKeysBack(*this);
-  saved_ = {looks_, lines_, workspace()};
+  saved_ = {twin_, workspace()};
   detail_ = name;
   return true;
 }
 
 // Restores the saved state. It is an undo step if anything has changed since.
 bool TurnedFrames::opensSession() {
-  if (!saved_ || keptOf(workspace()) == keptOf(saved_->workspace)) return false;
+  if (!saved_ || RandomWalk::comparable(workspace()) == RandomWalk::comparable(saved_->second)) return false;
   const QString name = QStringLiteral("saved%1.volumen").arg(savedTimes_);
   const int before = session().undoStack().index();
   child<QAction>("openSession")->trigger();
@@ -98,10 +77,8 @@ bool TurnedFrames::opensSession() {
   if (!QTest::qWaitFor([&] { return session().undoStack().index() > before; }, longest))
     fault_ = QStringLiteral("the session is not opened");
   takeKeysBack(*this);
-  saved_->workspace = workspace();
-  looks_ = saved_->looks;
-  lines_ = saved_->lines;
-  look();
+  saved_->second = workspace();
+  take(saved_->first);
   wrong();  // waits for its frames
   detail_ = name;
   return true;

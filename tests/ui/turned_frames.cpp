@@ -6,9 +6,7 @@
 
 #include "tests/fixtures/slice_twin.h"
 #include "tests/fixtures/small_volumes.h"
-#include "tests/ui/draws_nothing.h"
 #include "ui/controller/slice_service.h"
-#include "ui/views/drawn_measurement.h"
 #include "ui/workspace/hanging_protocol.h"
 #include "ui/workspace/series_facts.h"
 
@@ -39,12 +37,6 @@ QString letterOf(const Breast& breast, glm::dvec2 alongPicture) {
 
 QString inPixels(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 'f', 3).arg(p.y, 0, 'f', 3); }
 
-Services withoutRenderer() {
-  Services services = realServices();
-  services.makeDraw = drawsNothing();
-  return services;
-}
-
 }  // namespace
 
 glm::dvec2 TurnedFrames::Seen::placeOf(glm::dvec2 pixel) const {
@@ -55,7 +47,7 @@ glm::dvec2 TurnedFrames::Seen::pixelAt(glm::dvec2 place) const {
   return centre + glm::transpose(seen) * ((place - size / 2.0) * mmPerPixel + middle) / spacing;
 }
 
-TurnedFrames::TurnedFrames(std::uint64_t seed) : Journey({}, withoutRenderer()), chance_(seed) {
+TurnedFrames::TurnedFrames(int seed) : RandomWalk(seed) {
   if (!write()) qFatal("cannot write pictures");
   window.open({folder_.path()});
   if (isClip_) showClip();
@@ -67,8 +59,7 @@ TurnedFrames::TurnedFrames(std::uint64_t seed) : Journey({}, withoutRenderer()),
   if (!QTest::qWaitFor(isHung, longest)) fault_ = QStringLiteral("not hung");
   takeHung();
   wrong();  // waits
-  first_ = session().undoStack().index();
-  remember();
+  begin();
 }
 
 void TurnedFrames::look() {
@@ -84,17 +75,17 @@ void TurnedFrames::look() {
 // Hanging decides which picture is in which view (TestHanging), but not its orientation. Clips begin at the
 // first frame.
 void TurnedFrames::takeHung() {
-  looks_.clear();
+  twin_.looks.clear();
   for (const ViewId id : onScreen_) {
     if (isClip_) {
-      looks_[id] = {.picture = 0};
+      twin_.looks[id] = {.picture = 0};
       continue;
     }
     const SeriesPicture picture = pictureIn(workspace(), id);
     const ProjectionView is = projectionOf(*picture.series, picture.frame);
     for (int n = 0; n < 4; ++n)
       if (is.laterality == breasts[n].side && is.viewPosition == breasts[n].view)
-        looks_[id] = {.picture = n, .isFacing = true};
+        twin_.looks[id] = {.picture = n, .isFacing = true};
   }
 }
 
@@ -116,7 +107,7 @@ double TurnedFrames::fittedMm(const TwinFrameLook& look, glm::dvec2 size) {
 }
 
 TurnedFrames::Seen TurnedFrames::seen(ViewId id) {
-  TwinFrameLook& look = looks_.at(id);
+  TwinFrameLook& look = twin_.looks.at(id);
   const TwinPicture& picture = pictures_[std::size_t(look.picture)];
   Seen s;
   s.size = sizes_.at(id), s.spacing = picture.spacing;
@@ -125,7 +116,7 @@ TurnedFrames::Seen TurnedFrames::seen(ViewId id) {
   if (look.isFacing) {
     // All are equally large, with chest walls at the inner edges.
     double mm = 0;
-    for (const auto& [other, l] : looks_)
+    for (const auto& [other, l] : twin_.looks)
       if (std::ranges::find(onScreen_, other) != onScreen_.end())
         mm = std::max(mm, fittedMm({.picture = l.picture}, sizes_.at(other)));
     look.zoom = fittedMm({.picture = look.picture}, s.size) / mm;
@@ -164,13 +155,13 @@ QString TurnedFrames::wrongNow() {
   if (!fault_.isEmpty()) return fault_;
   look();
   for (const ViewId id : onScreen_) {
-    if (!looks_.contains(id) || looks_.at(id).picture < 0)
+    if (!twin_.looks.contains(id) || twin_.looks.at(id).picture < 0)
       return QStringLiteral("view %1 shows another picture").arg(id);
     if (const QString why = wrongIn(id); !why.isEmpty())
       return QStringLiteral("view %1 (%2 %3): %4")
           .arg(id)
-          .arg(QLatin1String(pictures_[std::size_t(looks_.at(id).picture)].breast.side),
-               QLatin1String(pictures_[std::size_t(looks_.at(id).picture)].breast.view), why);
+          .arg(QLatin1String(pictures_[std::size_t(twin_.looks.at(id).picture)].breast.side),
+               QLatin1String(pictures_[std::size_t(twin_.looks.at(id).picture)].breast.view), why);
   }
   return {};
 }
@@ -179,7 +170,7 @@ QString TurnedFrames::wrongNow() {
 QString TurnedFrames::wrongIn(ViewId id) {
   FrameView* const shown = view(id);
   if (!shown->frame() || !shown->plane()) return QStringLiteral("no frame");
-  const TwinFrameLook& look = looks_.at(id);
+  const TwinFrameLook& look = twin_.looks.at(id);
   const TwinPicture& picture = pictures_[std::size_t(look.picture)];
   const Seen s = seen(id);
   for (const glm::ivec2 mark : picture.marks) {
@@ -202,7 +193,7 @@ QString TurnedFrames::wrongIn(ViewId id) {
       isStack_ ? QStringLiteral("Frame %1 / 4").arg(look.picture + 1) : QStringLiteral("Frame 1 / 1");
   if (!o.topRight.contains(number)) return QStringLiteral("does not say ") + number;
   const std::vector<DrawnMeasurement> drawn = shown->drawnMeasurements();
-  for (const TwinLine& line : lines_) {
+  for (const TwinLine& line : twin_.lines) {
     const auto found = std::ranges::find(drawn, line.id, &DrawnMeasurement::id);
     if ((found != drawn.end()) != (line.picture == look.picture))
       return QStringLiteral("a line on another picture");
@@ -225,7 +216,7 @@ QString TurnedFrames::wrongPicture(ViewId id, const Seen& s) {
   const QImage picture = shown->picture().convertToFormat(QImage::Format_RGB32);
   if (!drawn || picture != drawn->convertToFormat(QImage::Format_RGB32))
     return QStringLiteral("the picture does not come");
-  const TwinFrameLook& look = looks_.at(id);
+  const TwinFrameLook& look = twin_.looks.at(id);
   const TwinPicture& of = pictures_[std::size_t(look.picture)];
   TwinPlane plane;
   plane.right = {s.seen[0][0], s.seen[1][0], 0}, plane.down = {s.seen[0][1], s.seen[1][1], 0};

@@ -3,14 +3,11 @@
 #include <QStringList>
 #include <QTemporaryDir>
 #include <glm/mat2x2.hpp>
-#include <map>
 #include <optional>
 #include <tuple>
-#include <vector>
 
-#include "tests/fixtures/chance.h"
 #include "tests/ui/hung_studies.h"
-#include "tests/ui/journey.h"
+#include "tests/ui/random_walk.h"
 #include "ui/views/view_grid.h"
 #include "viewer/volume/volume.h"
 
@@ -50,30 +47,28 @@ struct TwinLine {
   QString said;
 };
 
-/// A window and its reference model from window.md, slices.md 2 and protocols.md. The window shows four
-/// mammograms with two presentation states each, or a clip of four frames. The mammograms are separate series
-/// or pictures of one. Acts by mouse, keys and menus are repeated on the model as the documents describe
-/// them.
-class TurnedFrames : public Journey {
- public:
-  explicit TurnedFrames(std::uint64_t seed);
+/// The model of window.md, slices.md 2 and protocols.md.
+struct FramesTwin {
+  std::map<ViewId, TwinFrameLook> looks;
+  std::vector<TwinLine> lines;
+};
 
-  QString act();
-  QString wrong();
-  QString wrongUndone();
+/// A walk through a window that shows four mammograms with two presentation states each, or a clip of four
+/// frames. The mammograms are separate series or pictures of one.
+class TurnedFrames : public RandomWalk<TurnedFrames, FramesTwin> {
+ public:
+  explicit TurnedFrames(int seed);
 
  private:
-  using Looks = std::map<ViewId, TwinFrameLook>;
-  struct Known {
-    Looks looks;
-    std::vector<TwinLine> lines;
-    Workspace workspace;
-  };
-  struct Act {
-    const char* name;
-    int often;
-    bool (TurnedFrames::*act)();
-  };
+  friend RandomWalk;
+  static const std::vector<Act>& acts();
+  QString wrong();
+  /// Facing views follow the size of the window, so only the appearance of positions must be restored.
+  static Workspace comparable(const Workspace&) { return {}; }
+  QString wrongInSession() { return {}; }  // opensSession() is among the acts
+  ViewId anyView();
+  void afterAct();
+  void take(const FramesTwin& twin);
   /// Positions on screen. `seen` maps the picture's mm to the screen.
   struct Seen {
     glm::dmat2 seen{1};
@@ -84,8 +79,6 @@ class TurnedFrames : public Journey {
     glm::dvec2 pixelAt(glm::dvec2 place) const;
   };
 
-  Session& session() { return window.session(); }
-  const Workspace& workspace() { return session().workspace(); }
   FrameView* view(ViewId id) { return window.views()->viewAs<FrameView>(id); }
   bool write();
   bool writePicture(int n, const std::vector<Uint16>& pixels);
@@ -95,8 +88,6 @@ class TurnedFrames : public Journey {
   void takeHung();
   Seen seen(ViewId id);
   double fittedMm(const TwinFrameLook& look, glm::dvec2 size);
-  void remember();
-  void take(int step);
   TwinFrameLook& touched();
   bool isAsFaced(const TwinFrameLook& look) const;
 
@@ -117,31 +108,21 @@ class TurnedFrames : public Journey {
   bool savesSession();
   bool opensSession();
   bool resizes();
-  bool undoes();
-  bool redoes();
 
   QString wrongNow();
   QString wrongIn(ViewId id);
   QString wrongPicture(ViewId id, const Seen& s);
 
-  Chance chance_;
   QTemporaryDir folder_, sessions_;
   bool isStack_ = false;  // the pictures belong to one series
   bool isClip_ = false;   // and are frames of one file
   std::vector<TwinPicture> pictures_;
-  Looks looks_;
-  std::vector<TwinLine> lines_;
   std::vector<ViewId> onScreen_;
   std::map<ViewId, glm::dvec2> sizes_;
   // Looks in which facing views were left.
   std::map<std::tuple<std::size_t, ViewId, int>, std::vector<TwinFrameLook>> faced_;
-  std::map<int, Known> known_;
-  std::optional<Known> saved_;  // state in the last session file
+  std::optional<std::pair<FramesTwin, Workspace>> saved_;  // state in the last session file
   int savedTimes_ = 0;
-  int first_ = 0;
-  ViewId focus_ = firstComparedId;
-  QString detail_;
-  QString fault_;  // in an act itself; it stays
 };
 
 }  // namespace volumen::tests

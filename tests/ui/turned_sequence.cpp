@@ -1,15 +1,11 @@
 #include "tests/ui/turned_sequence.h"
 
-#include <QRegularExpression>
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "tests/fixtures/small_volumes.h"
-#include "tests/ui/draws_nothing.h"
-#include "tests/ui/gestures.h"
 #include "tests/ui/test_series.h"
-#include "ui/views/drawn_measurement.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/time_points.h"
 
@@ -21,12 +17,6 @@ constexpr double markValue = 1000;
 constexpr ViewId compared[] = {firstComparedId, firstComparedId + 1, firstComparedId + 2,
                                firstComparedId + 3};
 constexpr ViewKind kindOf[] = {ViewKind::axial, ViewKind::coronal, ViewKind::sagittal};
-
-Services withoutScenes() {
-  Services services = realServices();
-  services.makeDraw = drawsNothing();
-  return services;
-}
 
 // Returns a grid as a scanner may acquire it: nearly straight, clearly tilted, or as slices of another plane.
 glm::dmat3 gridSteps(Chance& chance, glm::dvec3 spacing, bool mayTurn) {
@@ -80,7 +70,7 @@ QString placeSaid(glm::dvec2 p) { return QStringLiteral("(%1, %2)").arg(p.x, 0, 
 
 }  // namespace
 
-TurnedSequence::TurnedSequence(std::uint64_t seed) : Journey({}, withoutScenes()), chance_(seed), marks_(2) {
+TurnedSequence::TurnedSequence(int seed) : RandomWalk(seed), marks_(2) {
   const glm::dvec3 centre(chance_.between(-40, 40), chance_.between(-40, 40), chance_.between(-40, 40));
   const glm::dmat3 grid = gridSteps(chance_, {1, 1.2, 2.5}, true);
   // Time points have different backgrounds.
@@ -114,8 +104,7 @@ TurnedSequence::TurnedSequence(std::uint64_t seed) : Journey({}, withoutScenes()
   QCoreApplication::processEvents();
   look();
   twin_.shared.at = crosshairOf(workspace(), *series_[0]).at;
-  first_ = session().undoStack().index();
-  remember();
+  begin();
 }
 
 // Notes which views of slices are on screen, and their sizes.
@@ -129,16 +118,9 @@ void TurnedSequence::look() {
     }
 }
 
-void TurnedSequence::remember() {
-  const int step = session().undoStack().index();
-  known_.erase(known_.lower_bound(step), known_.end());
-  known_[step] = {twin_, workspace()};
-}
-
-// Restores the known state after undo or redo.
-void TurnedSequence::take(int step) {
+void TurnedSequence::take(const TurnedTwin& twin) {
   const auto sizes = twin_.sizes;
-  twin_ = known_.at(step).twin;
+  twin_ = twin;
   for (const auto& [id, size] : sizes) twin_.sizes[id] = size;
   look();
 }

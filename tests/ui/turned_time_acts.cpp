@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "tests/ui/gestures.h"
-#include "tests/ui/turned_focus.h"
 #include "tests/ui/turned_sequence.h"
 
 namespace volumen::tests {
@@ -106,16 +104,7 @@ bool TurnedSequence::typesNumber() {
 }
 
 bool TurnedSequence::movesFocus() {
-  const char* const keys[] = {"Tab", "Shift+Tab", "F6", "F10", "F10, Esc", "Shift+F10"};
-  const int which = chance_.below(6);
-  const auto wrongAlone = [this] { return look(), wrongIn(focus_); };
-  const QString why = which < 2    ? wrongAfterTab(*this, which == 1)
-                      : which == 2 ? wrongAfterParts(*this)
-                      : which < 5  ? wrongWhileAlone(*this, which == 4, wrongAlone)
-                                   : wrongAfterMenu(*this);
-  if (!why.isEmpty()) fault_ = why;
-  detail_ = QLatin1String(keys[which]);
-  return true;
+  return RandomWalk::movesFocus([this] { return look(), wrongIn(focus_); });
 }
 
 }  // namespace volumen::tests

@@ -25,6 +25,8 @@ class TestOfferedSteps : public QObject {
  private Q_SLOTS:
   void aStepIsAJobAndAnUndoStep_data();
   void aStepIsAJobAndAnUndoStep();
+  void allAreSmoothedTogether();
+  void whatWasLockedMeanwhileLosesNothing();
 };
 
 void TestOfferedSteps::aStepIsAJobAndAnUndoStep_data() {
@@ -80,6 +82,36 @@ void TestOfferedSteps::aStepIsAJobAndAnUndoStep() {
   QVERIFY(e.session.workspace() == before);
   e.session.undoStack().redo();
   QVERIFY(e.session.workspace() == after);
+}
+
+// The result is that of the kernel for all labels at once.
+void TestOfferedSteps::allAreSmoothedTogether() {
+  Editing e;
+  e.begin({{400, 600}, {800, 1200}}, {});
+  e.session.change(QStringLiteral("test"),
+                   withSegmentChanged(e.session.workspace(), e.key, 1, [](Segment& s) { s.locked = true; }));
+  const LabelMap before = *e.map()->labels;
+  e.editing.change(workOf(offeredStep("joint"), {{"sigmaMm", 1.5}}, e.session));
+  QVERIFY(e.idle());
+  const std::uint8_t locked[] = {1};
+  QVERIFY(*e.map()->labels == jointSmoothed(before, 1.5, locked));
+  QVERIFY(*e.map()->labels != before);
+}
+
+// A segment is locked while a job runs: one that is merged, that takes it in, or that is split.
+void TestOfferedSteps::whatWasLockedMeanwhileLosesNothing() {
+  for (const auto& [step, locked] : {std::pair("merge", 0), std::pair("merge", 1), std::pair("split", 1)}) {
+    Editing e;
+    e.begin({{400, 600}, {800, 1200}}, {});
+    std::map<std::string, StepValue> fields;
+    if (std::string_view(step) == "merge") fields["other"] = std::string("1");
+    const SegmentWork work = workOf(offeredStep(step), fields, e.session);
+    SegmentMap map = *e.map();
+    QVERIFY(work.makeAll(map, {}).ok());
+    map.segments[std::size_t(locked)].locked = true;
+    const auto made = work.makeAll(map, {});
+    QVERIFY2(!made && QString::fromStdString(made.message()).contains(QStringLiteral("is locked")), step);
+  }
 }
 
 VOLUMEN_TEST(TestOfferedSteps);

@@ -2,6 +2,7 @@
 // sentence out.
 #include "tests/unit/controller/editing.h"
 #include "tests/unit/suite.h"
+#include "ui/controller/offered_steps.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -41,6 +42,9 @@ void leakingLesion(Editing& e) { e.editing.change(e.lesion(1.5)); }
 void lesionFrame(Editing& e) { e.editing.change(lesionOf(e.session, {}, {e.key, {}, 5, true})); }
 void lesionOther(Editing& e) { e.editing.change(lesionOf(e.session, {}, {other, {}, 5})); }
 void grow(Editing& e) { e.editing.grow(); }
+void growTwice(Editing& e) {
+  for (int n = 0; n < 2; ++n) e.editing.change(workOf(offeredStep("grow"), {}, e.session));
+}
 void lock(Editing& e) {
   e.changeCurrent([](Segment& s) { s.locked = true; });
 }
@@ -123,7 +127,7 @@ const std::vector<NotDone> refusals{
     {"an eraser, no segment", {}, {.erases = true}, noAct, strokeSmall, refused, "add a segment first"},
     {"a cut, no segment", {}, {}, noAct, cutAll, refused, "Make or add a segment first"},
     {"a stroke, locked", {bright}, {}, lock, strokeSmall, refused, "is locked"},
-    {"a cut, locked", {bright}, {}, lock, cutAll, refused, "is locked"},
+    {"a cut, locked", {bright}, {}, lock, cutAll, refused, "is locked: unlock it first"},
     {"a stroke, hidden", {bright}, {}, hide, strokeSmall, refused, "is hidden"},
     {"no SUV", {}, {.lesionThreshold = {2.5, false}}, noAct, lesion, refused, "The series has no SUV"},
     {"unknown size", {}, {}, unsize, lesion, refused, "how large its voxels are"},
@@ -205,7 +209,7 @@ void TestSegmentEditing::takenVoxelsAreSaid() {
 }
 
 void TestSegmentEditing::aSeriesThatIsClosedMeanwhileIsLeftAlone() {
-  for (const Act act : {lesion, grow}) {
+  for (const Act act : {lesion, grow, growTwice}) {
     Editing e;
     e.begin({dim, bright}, {});
     const Workspace before = e.session.workspace();

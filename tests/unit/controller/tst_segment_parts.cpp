@@ -90,6 +90,13 @@ void TestSegmentParts::aLeakGuardStopsAtThinBridges() {
   const BitMask left = connectedBeyond(both, std::span(&seed, 1), Neighbours::faces, 2);
   QVERIFY(!left.empty() && left != both);
   QVERIFY(e.mask() == (guard == 0 ? both : PartUse(use) == PartUse::remove ? subtracted(both, left) : left));
+  if (PartUse(use) != PartUse::add) return;
+  const RecordedRecipe recorded = recordedRecipe(*e.map(), "CT");
+  QVERIFY(recorded.missing.empty());
+  const auto again = readRecipe(recipeJson(recorded.recipe));
+  QVERIFY(again && (recipeJson(*again).find("leakGuardMm") != std::string::npos) == (guard > 0));
+  const auto followed = follow(*again, *e.series->volume);
+  QVERIFY(followed && maskOf(followed->labels, 1) == e.mask());
 }
 
 VOLUMEN_TEST(TestSegmentParts);
