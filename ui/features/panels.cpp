@@ -54,17 +54,19 @@ Panels::Panels(Workbench& bench) : Feature(bench) {
        tr("Opacity and colour"),
        Workbench::scrolling(transfer, leastCurve),
        {right, 0, true, About::scene}},
-      {"flat", tr("Slices and frames"), flatPanel(), {right, 5, true, About::flat}},
       {"lights", tr("Lights"), scrolling(lights()), {right, 10, true, About::scene}},
-      {"clip", tr("Clip"), bench_.ofScene(scrolling(makeClipPanel(session_))), {right, 20}},
       {"camera",
        tr("Camera"),
        scrolling(makeCameraPanel(session_, camera)),
        {right, 80, false, About::scene}},
   };
   for (const Workbench::DockEntry& entry : table) bench_.addDock(entry);
-  connect(bench_.dock("clip"), &QDockWidget::visibilityChanged, &grid_, &ViewGrid::setClipShown);
-  connect(bench_.dock("flat"), &QDockWidget::visibilityChanged, flat_, &FlatPanel::setWatched);
+  const QDockWidget* flat =
+      bench_.addDock({"flat", tr("Slices and frames"), flatPanel(), {right, 5, true, About::flat}});
+  const QDockWidget* clip =
+      bench_.addDock({"clip", tr("Clip"), bench_.ofScene(scrolling(makeClipPanel(session_))), {right, 20}});
+  connect(clip, &QDockWidget::visibilityChanged, &grid_, &ViewGrid::setClipShown);
+  connect(flat, &QDockWidget::visibilityChanged, flat_, &FlatPanel::setWatched);
 }
 
 QWidget* Panels::flatPanel() {
@@ -97,6 +99,7 @@ QWidget* Panels::flatPanel() {
           [follow](const Workspace& before, const Workspace& after) {
             if (showsOther(before, after)) follow();
           });
+  // After the layout has changed the views.
   connect(&bench_, &Workbench::made, explained, [this, explained, follow] {
     connect(bench_.action("maximise"), &QAction::toggled, explained, follow);
   });
