@@ -27,6 +27,7 @@ struct FlatPanelWindow : MeasureWindow {
     auto* box = child<QComboBox>(combo);
     const int n = box->findText(QLatin1String(text), Qt::MatchStartsWith);
     QVERIFY2(n >= 0, text);
+    box->setCurrentIndex(n);
     Q_EMIT box->activated(n);
   }
   void type(const char* name, const char* text) {

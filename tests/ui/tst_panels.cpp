@@ -10,11 +10,9 @@
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/frame_service.h"
-#include "ui/panels/camera_panel.h"
-#include "ui/panels/clip_panel.h"
 #include "ui/panels/light_presets.h"
 #include "ui/panels/lights_panel.h"
-#include "ui/panels/material_panel.h"
+#include "ui/panels/scene_panels.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/transfer_panel.h"
 #include "ui/workspace/camera_moves.h"
@@ -25,13 +23,14 @@ using namespace volumen;
 namespace {
 
 // A session that shows a ball, and a panel for it.
-template <class Panel>
+template <class Panel = QWidget>
 struct Shown {
   Session session;
   std::unique_ptr<Panel> panel;
 
-  template <class... More>
-  explicit Shown(More... more) : panel(std::make_unique<Panel>(session, more...)) {
+  Shown() : Shown([](Session& of) { return new Panel(of); }) {}
+  template <class Make>
+  explicit Shown(const Make& make) : panel(make(session)) {
     session.show(tests::ballSeries());
     panel->resize(400, 500);
     panel->show();
@@ -146,7 +145,7 @@ void TestPanels::aLightStaysWhereItIsWhenItsSpaceChanges() {
     scene.lights[0].direction = {0.6, 0, 0.8};
   });
   auto* space = s.child<QComboBox>("lightSpace");
-  Q_EMIT space->activated(1);
+  space->setCurrentIndex(1);
   QVERIFY(s.scene().lights[0].space == Space::patient);
   // Seen from the left, the picture's right is the patient's back: (0, 1, 0). The direction to the viewer is
   // left: (1, 0, 0).
@@ -172,7 +171,7 @@ void TestPanels::lightPresetsAreValidScenes() {
 }
 
 void TestPanels::materialIsGreyWhereUnlit() {
-  Shown<MaterialPanel> s;
+  Shown<> s(makeMaterialPanel);
   auto* diffuse = s.child<QDoubleSpinBox>("Diffuse");
   QVERIFY(diffuse->isEnabled());
   QTest::mouseClick(s.child<QCheckBox>("lit"), Qt::LeftButton, {}, QPoint(8, 8));
@@ -185,7 +184,7 @@ void TestPanels::materialIsGreyWhereUnlit() {
 }
 
 void TestPanels::aSliderDragIsOneStep() {
-  Shown<MaterialPanel> s;
+  Shown<> s(makeMaterialPanel);
   QSlider* slider = s.child<QDoubleSpinBox>("Ambient")->parentWidget()->findChild<QSlider*>();
   slider->setFocus();
   const int y = slider->height() / 2, x = int(0.2 * slider->width());
@@ -201,7 +200,7 @@ void TestPanels::aSliderDragIsOneStep() {
 }
 
 void TestPanels::clipSidesPushEachOther() {
-  Shown<ClipPanel> s;
+  Shown<> s(makeClipPanel);
   const auto field = [&](const char* name) { return s.child<QWidget>(name)->findChild<QDoubleSpinBox*>(); };
   type(field("clipHigh1"), "30");
   QCOMPARE(s.scene().clip.boxHigh.y, 0.3);
@@ -220,13 +219,13 @@ void TestPanels::projectionKeepsTheSize() {
   const auto inUse = [&] {
     return cameraInUse(session.scene(), session.series()->volume->geometry(), {400, 300});
   };
-  CameraPanel panel(session, inUse);
+  const std::unique_ptr<QWidget> panel(makeCameraPanel(session, {inUse, {}, {}}));
   const double before = mmPerPixel(inUse(), {400, 300}, {0, 0, 0});
-  Q_EMIT panel.findChild<QComboBox*>(QStringLiteral("projection"))->activated(1);
+  panel->findChild<QComboBox*>(QStringLiteral("projection"))->setCurrentIndex(1);
   QVERIFY(inUse().projection == Projection::perspective);
   QVERIFY(std::abs(mmPerPixel(inUse(), {400, 300}, {0, 0, 0}) - before) < 1e-9);
-  panel.show();
-  type(panel.findChild<QDoubleSpinBox*>(), "60");
+  panel->show();
+  type(panel->findChild<QDoubleSpinBox*>(), "60");
   QCOMPARE(inUse().fov, 60.0);
   QVERIFY(std::abs(mmPerPixel(inUse(), {400, 300}, {0, 0, 0}) - before) < 1e-9);
 }

@@ -38,10 +38,11 @@ Accuracy::Accuracy(Workbench& bench)
       effects_(new EffectsPanel) {
   bench_.addDock(
       {"effects", tr("Effects"), effects_, {Qt::RightDockWidgetArea, 90, false, Workbench::About::scene}});
-  bench_.addDock({"accuracy",
-                  tr("Quality and speed"),
-                  Workbench::scrolling(panel_),
-                  {Qt::RightDockWidgetArea, 100, false, Workbench::About::scene}});
+  const QDockWidget* dock = bench_.addDock({"accuracy",
+                                            tr("Quality and speed"),
+                                            Workbench::scrolling(panel_),
+                                            {Qt::RightDockWidgetArea, 100, false, Workbench::About::scene}});
+  connect(dock, &QDockWidget::visibilityChanged, &meter_, &AccuracyMeter::setWatched);
   bench_.addAction({"openGlResampler",
                     tr("Use OpenGL (usually slower without a GPU)"),
                     {},
@@ -93,7 +94,6 @@ void Accuracy::connectMeter() {
     applyLevel();
   });
   connect(&meter_, &AccuracyMeter::progressed, panel_, &AccuracyPanel::showProgress);
-  connect(bench_.dock("accuracy"), &QDockWidget::visibilityChanged, &meter_, &AccuracyMeter::setWatched);
   connect(&session_, &Session::changed, panel_,
           [this](const SessionState& before, const SessionState& after) {
             if (before.goal != after.goal) applyLevel();

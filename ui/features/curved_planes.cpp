@@ -22,14 +22,14 @@ class CurvedPlanes : public Feature {
 
 CurvedPlanes::CurvedPlanes(Workbench& bench) : Feature(bench) {
   const auto add = [this](const char* name, const QString& text, double mm, const Place& place) {
-    bench_.addAction({name, text, {}, "", false, [this, mm](bool) { show(mm / 2); }, {place}});
+    return bench_.addAction({name, text, {}, "", false, [this, mm](bool) { show(mm / 2); }, {place}});
   };
-  add("showCurvedPlane", tr("Show curved plane"), usualWidth, {"measureMenu", 90, 10});
+  QAction* usual = add("showCurvedPlane", tr("Show curved plane"), usualWidth, {"measureMenu", 90, 10});
   bench_.addMenu("curvedMenu", tr("Curved plane of another width"), {{"measureMenu", 90, 20}});
   add("showCurvedPlane20", tr("Curved plane 20 mm wide"), 20, {"curvedMenu", 10});
   add("showCurvedPlane100", tr("Curved plane 100 mm wide"), 100, {"curvedMenu", 10, 10});
-  connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) {
-    if (curveMeant(session_.workspace())) menu->addAction(bench_.action("showCurvedPlane"));
+  connect(&bench_, &Workbench::sliceMenuOpens, this, [this, usual](QMenu* menu) {
+    if (curveMeant(session_.workspace())) menu->addAction(usual);
   });
 }
 

@@ -38,16 +38,17 @@ class DerivedObjectFiles : public Feature {
   void showPlace(const std::string& frameOfReferenceUid, glm::dvec3 pPatient);
   void fillPresentations(QMenu* menu, FlatView* view);
 
+  QDockWidget* dock_;
   QPointer<ReportDialog> report_;
 };
 
 DerivedObjectFiles::DerivedObjectFiles(Workbench& bench) : Feature(bench) {
   DerivedObjects& derived = bench_.document.derived;
   auto* regions = new RegionsPanel(session_, derived);
-  bench_.addDock({"regions",
-                  tr("Contours and segments"),
-                  regions,
-                  {Qt::RightDockWidgetArea, 70, false, Workbench::About::flat}});
+  dock_ = bench_.addDock({"regions",
+                          tr("Contours and segments"),
+                          regions,
+                          {Qt::RightDockWidgetArea, 70, false, Workbench::About::flat}});
   connect(regions, &RegionsPanel::placeChosen, this, &DerivedObjectFiles::showPlace);
   connect(regions, &RegionsPanel::segmentsRequested, &bench_, &Workbench::segmentsRequested);
   const auto setOpen = [this] { bench_.document.derived.setOpen(open_.derived()); };
@@ -131,9 +132,8 @@ void DerivedObjectFiles::showPresentation(const DerivedObjectPtr& object) {
 
 // Shows regions over views of their frame of reference, or opens a series for them if there is none.
 void DerivedObjectFiles::showRegions(const DerivedObjectPtr& object) {
-  QDockWidget* dock = bench_.dock("regions");
-  dock->show();
-  dock->raise();
+  dock_->show();
+  dock_->raise();
   const RegionsLook look = firstLook(*object);
   session_.change(tr("Show %1").arg(derivedName(*object)),
                   [&](Workspace& w) { w.regions.add(keyOf(*object), look); });

@@ -19,9 +19,6 @@ namespace volumen {
 
 namespace {
 
-// Layouts saved under another version have other panels and are not restored.
-constexpr int layoutVersion = 5;
-
 FoldTitle* titleOf(const Workbench::Dock& dock) {
   return static_cast<FoldTitle*>(dock.widget->titleBarWidget());
 }
@@ -37,9 +34,18 @@ constexpr int lowestCurve = 230;
 // Docks stacked as tabs, in order.
 using Tabs = std::vector<Workbench::Dock>;
 
+bool isBelow(const Workbench::Dock& dock) { return dock.place.order >= Workbench::firstBelow; }
+
 // Qt places docks behind the front tab outside the window.
 bool isInFront(const Workbench::Dock& dock) {
   return dock.widget->isVisible() && dock.widget->geometry().right() >= 0;
+}
+
+// Returns the version of saved layouts. Those with other panels have another one and are not restored.
+int layoutVersion(const Workbench& bench) {
+  QByteArray names;
+  for (const auto& [name, dock] : bench.docks) names += name.toUtf8() + ' ';
+  return qChecksum(names);
 }
 
 // Returns the settings key for the front panels of a kind of view.
@@ -74,6 +80,7 @@ class DockLayout : public Feature {
 
   QMainWindow& window_;
   QMenu* menu_;
+  QAction *maximise_, *leaveMaximised_, *fullScreen_, *resetLayout_;
   QByteArray before_;                              // layout before the view was maximised
   std::optional<Workbench::About> kind_;           // kind of the view in focus
   std::map<Workbench::About, QStringList> front_;  // names of front panels by kind of view
@@ -87,7 +94,7 @@ DockLayout::DockLayout(Workbench& bench) : Feature(bench), window_(bench.window)
     fillMenu();
     restore();
   });
-  connect(&grid_, &ViewGrid::maximiseRequested, bench_.action("maximise"), &QAction::toggle);
+  connect(&grid_, &ViewGrid::maximiseRequested, maximise_, &QAction::toggle);
   whenChanged(
       session_, this,
       [this] {
@@ -112,7 +119,7 @@ void DockLayout::makeActions() {
        {tr("Esc")},
        "",
        false,
-       [this](bool) { bench_.action("maximise")->setChecked(false); }},
+       [this](bool) { maximise_->setChecked(false); }},
       {"fullScreen",
        tr("Full screen"),
        {tr("F11")},
@@ -124,14 +131,16 @@ void DockLayout::makeActions() {
        },
        {{"viewMenu", 60, 20}}},
       {"resetLayout", tr("Reset layout"), {}, "", false, [this](bool) { reset(); }}};
-  for (const Workbench::ActionEntry& entry : table) bench_.addAction(entry);
-  bench_.action("leaveMaximised")->setEnabled(false);
+  QList<QAction*> made;
+  for (const Workbench::ActionEntry& entry : table) made << bench_.addAction(entry);
+  maximise_ = made[0], leaveMaximised_ = made[1], fullScreen_ = made[2], resetLayout_ = made[3];
+  leaveMaximised_->setEnabled(false);
 }
 
 // Maximises the view in its own window. In the main window this hides all docks.
 void DockLayout::setMaximised(bool alone) {
   const ViewId focus = session_.workspace().focus;
-  bench_.action("leaveMaximised")->setEnabled(alone);
+  leaveMaximised_->setEnabled(alone);
   if (grid_.isAlone(focus) == alone) return;  // the focus moved to the other window
   if (alone && !isInSecond(focus)) before_ = window_.saveState();
   grid_.setAlone(focus, alone);
@@ -146,14 +155,14 @@ void DockLayout::setDocksHidden(bool hidden) {
 
 // Updates the check marks of actions for the window in focus.
 void DockLayout::showStates() {
-  bench_.action("maximise")->setChecked(grid_.isAlone(session_.workspace().focus));
-  bench_.action("fullScreen")->setChecked(windowInFocus().isFullScreen());
+  maximise_->setChecked(grid_.isAlone(session_.workspace().focus));
+  fullScreen_->setChecked(windowInFocus().isFullScreen());
 }
 
 void DockLayout::fillMenu() {
   for (const auto& [name, dock] : bench_.docks) menu_->addAction(dock.widget->toggleViewAction());
   menu_->addSeparator();
-  menu_->addAction(bench_.action("resetLayout"));
+  menu_->addAction(resetLayout_);
 }
 
 Tabs DockLayout::docksAt(Qt::DockWidgetArea area) const {
@@ -225,7 +234,7 @@ void DockLayout::reset() {
     window_.addDockWidget(Qt::LeftDockWidgetArea, dock.widget);
   QDockWidget *above = nullptr, *below = nullptr;
   for (const Workbench::Dock& dock : docksAt(Qt::RightDockWidgetArea)) {
-    QDockWidget*& first = dock.place.order < Workbench::firstBelow ? above : below;
+    QDockWidget*& first = isBelow(dock) ? below : above;
     if (first)
       window_.tabifyDockWidget(first, dock.widget);
     else
@@ -250,9 +259,11 @@ void DockLayout::shareRoom() {
   const int line = window_.fontMetrics().height();
   const int wholeCurve = std::max(height * 2 / 5, curveHeight.at(line));
   const int curve = std::min(wholeCurve, std::max(height - segmentsHeight.at(line), lowestCurve));
-  QDockWidget *list = bench_.dock("studies"), *transfer = bench_.dock("transfer");
-  window_.resizeDocks({list, transfer}, {studies, right}, Qt::Horizontal);
-  window_.resizeDocks({transfer, bench_.dock("lights")}, {curve, height - curve}, Qt::Vertical);
+  const Tabs onRight = docksAt(Qt::RightDockWidgetArea);
+  const auto below = std::ranges::find_if(onRight, isBelow);
+  window_.resizeDocks({docksAt(Qt::LeftDockWidgetArea).front().widget, onRight.front().widget},
+                      {studies, right}, Qt::Horizontal);
+  window_.resizeDocks({onRight.front().widget, below->widget}, {curve, height - curve}, Qt::Vertical);
 }
 
 void DockLayout::restore() {
@@ -265,8 +276,8 @@ void DockLayout::restore() {
   const bool isPlaced =
       window_.restoreGeometry(settings.value(QStringLiteral("window/geometry")).toByteArray());
   if (isPlaced) putOnScreen(window_);
-  isKept_ =
-      window_.restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(), layoutVersion);
+  isKept_ = window_.restoreState(settings.value(QStringLiteral("window/layout")).toByteArray(),
+                                 layoutVersion(bench_));
   const QStringList folded = settings.value(QStringLiteral("window/folded")).toStringList();
   if (!isKept_) return;
   for (const auto& [name, dock] : bench_.docks) titleOf(dock)->setFolded(folded.contains(name));
@@ -281,7 +292,7 @@ void DockLayout::keep() {
   }
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), window_.saveGeometry());
-  settings.setValue(QStringLiteral("window/layout"), window_.saveState(layoutVersion));
+  settings.setValue(QStringLiteral("window/layout"), window_.saveState(layoutVersion(bench_)));
   QStringList folded;
   for (const auto& [name, dock] : bench_.docks)
     if (titleOf(dock)->folded()) folded << name;

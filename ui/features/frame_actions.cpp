@@ -30,6 +30,8 @@ class FrameActions : public Feature {
   void showFrameActions();
   void tellWhyFrames();
   void showSliceMenu(FlatView* view, QPoint global);
+
+  QAction *interpolate_, *asFrames_, *ownWindows_, *layers_, *play_, *goToNumber_;
 };
 
 FrameActions::FrameActions(Workbench& bench) : Feature(bench) {
@@ -43,9 +45,11 @@ void FrameActions::makeActions() {
   const auto add = [this](const char* name, const QString& text) {
     return bench_.addAction({name, text, {}, "", true, {}, {{"viewMenu", 30}}});
   };
-  connect(add("showAsFrames", tr("Show as frames")), &QAction::triggered, this,
-          &FrameActions::setShowAsFrames);
-  connect(add("ownWindows", tr("Each image its own window")), &QAction::triggered, this, [this](bool on) {
+  asFrames_ = add("showAsFrames", tr("Show as frames"));
+  ownWindows_ = add("ownWindows", tr("Each image its own window"));
+  layers_ = add("overlaysAndShutters", tr("Overlays and shutters"));
+  connect(asFrames_, &QAction::triggered, this, &FrameActions::setShowAsFrames);
+  connect(ownWindows_, &QAction::triggered, this, [this](bool on) {
     session_.endGesture();
     session_.change(tr("Each image its own window"), [&](Workspace& w) {
       const ViewId view = framesViewOf(w.focus);
@@ -53,27 +57,27 @@ void FrameActions::makeActions() {
       setWindow(w, view, ChosenWindow());
     });
   });
-  connect(add("overlaysAndShutters", tr("Overlays and shutters")), &QAction::triggered, this,
-          [this](bool on) {
-            session_.endGesture();
-            editFlat(session_, framesViewOf(session_.workspace().focus), tr("Overlays and shutters"),
-                     [on](FlatLook& look) { look.layers = on; });
-          });
-  QAction* interpolate = makeInterpolationAction(session_, &bench_.window);
-  bench_.addAction(interpolate, {{"viewMenu", 60, 90}});
+  connect(layers_, &QAction::triggered, this, [this](bool on) {
+    session_.endGesture();
+    editFlat(session_, framesViewOf(session_.workspace().focus), tr("Overlays and shutters"),
+             [on](FlatLook& look) { look.layers = on; });
+  });
+  interpolate_ = makeInterpolationAction(session_, &bench_.window);
+  bench_.addAction(interpolate_, {{"viewMenu", 60, 90}});
   const auto play = [this](bool) {
     FlatView* view = bench_.framesInFocus();
     if (!view) view = grid_.viewAs<FlatView>(flatViewInFocus(session_.workspace()));
     if (view && view->isVisible()) return view->togglePlay();
     if (auto* scene = grid_.viewAs<VolumeView>(session_.workspace().focus)) scene->togglePlay();
   };
-  bench_.addAction({"playFrames", tr("Play or stop"), {tr("C")}, "", false, play, {{"viewMenu", 30}}});
+  play_ =
+      bench_.addAction({"playFrames", tr("Play or stop"), {tr("C")}, "", false, play, {{"viewMenu", 30}}});
   const auto typeNumber = [this](bool) {
     FlatView* view = bench_.flatViewInFocus();
     if (!view) view = grid_.viewAs<FlatView>(flatViewInFocus(session_.workspace()));
     if (view && view->isVisible()) view->typeNumber();
   };
-  bench_.addAction(
+  goToNumber_ = bench_.addAction(
       {"goToNumber", tr("Go to number..."), {tr("G")}, "", false, typeNumber, {{"viewMenu", 30}}});
   bench_.menus.addMenu(makeSlabMenu(session_, &bench_.window), {{"viewMenu", 60, 100}});
   bench_.menus.addMenu(makeColourMenu(session_, &bench_.window), {{"viewMenu", 60, 110}});
@@ -114,25 +118,21 @@ void FrameActions::showFrameActions() {
   const Workspace& workspace = session_.workspace();
   const Series* series = seriesIn(workspace, workspace.focus);
   const bool asFrames = series && showsFrames(workspace, workspace.focus);
-  QAction* kind = bench_.actions.at(QStringLiteral("showAsFrames"));
-  kind->setChecked(asFrames);
-  kind->setEnabled(series && frameCount(*series) > 0 && series->notVolume.empty());
-  kind->setToolTip(
-      toolTipOf(series && !series->notVolume.empty() ? shownText(series->notVolume) : kind->text()));
-  QAction* layers = bench_.actions.at(QStringLiteral("overlaysAndShutters"));
-  layers->setEnabled(asFrames);
-  layers->setChecked(flatLookOf(workspace.view(framesViewOf(workspace.focus))).layers);
-  QAction* own = bench_.actions.at(QStringLiteral("ownWindows"));
-  own->setEnabled(asFrames && frameCount(*series) > 1);
-  own->setChecked(asFrames && hasOwnWindows(workspace.series.at(keyOf(*series)), *series));
+  asFrames_->setChecked(asFrames);
+  asFrames_->setEnabled(series && frameCount(*series) > 0 && series->notVolume.empty());
+  asFrames_->setToolTip(
+      toolTipOf(series && !series->notVolume.empty() ? shownText(series->notVolume) : asFrames_->text()));
+  layers_->setEnabled(asFrames);
+  layers_->setChecked(flatLookOf(workspace.view(framesViewOf(workspace.focus))).layers);
+  ownWindows_->setEnabled(asFrames && frameCount(*series) > 1);
+  ownWindows_->setChecked(asFrames && hasOwnWindows(workspace.series.at(keyOf(*series)), *series));
   const bool isStack = asFrames
                            ? frameCount(*series) > 1
                            : series && std::ranges::any_of(viewsOnScreen(workspace), [&](ViewId id) {
                                return isFlat(workspace.view(id).kind) && !workspace.view(id).series.empty();
                              });
-  bench_.actions.at(QStringLiteral("goToNumber"))->setEnabled(isStack);
-  bench_.actions.at(QStringLiteral("playFrames"))
-      ->setEnabled(isStack || (series && hasTimePoints(workspace, keyOf(*series))));
+  goToNumber_->setEnabled(isStack);
+  play_->setEnabled(isStack || (series && hasTimePoints(workspace, keyOf(*series))));
 }
 
 void FrameActions::showSliceMenu(FlatView* view, QPoint global) {
@@ -140,7 +140,7 @@ void FrameActions::showSliceMenu(FlatView* view, QPoint global) {
   menu->setObjectName(QStringLiteral("flatMenu"));
   menu->setAttribute(Qt::WA_DeleteOnClose);
   auto* frames = qobject_cast<FrameView*>(view);
-  menu->addAction(bench_.action("interpolate"));
+  menu->addAction(interpolate_);
   bench_.sliceMenuOpens(menu, view);
   menu->addSeparator();
   const auto add = [&](const char* name) {
@@ -150,8 +150,7 @@ void FrameActions::showSliceMenu(FlatView* view, QPoint global) {
     for (const char* name : {"slabMenu", "colourMenu", "overlayMenu"}) add(name);
   if (const Series* series = seriesIn(session_.workspace(), view->id()); series && series->modality == "PT")
     add("petUnitMenu");
-  for (const char* name : {"showAsFrames", "ownWindows", "overlaysAndShutters", "playFrames"})
-    menu->addAction(bench_.action(name));
+  menu->addActions({asFrames_, ownWindows_, layers_, play_});
   menu->popup(global);
 }
 

@@ -39,6 +39,7 @@ class HangingProtocols : public Feature {
   void tellProblems();
 
   QMenu* menu_;
+  QAction* next_;
   QList<QAction*> listed_;  // menu actions of the fitting protocols
   KnownProtocols known_ = knownProtocols();
   std::string last_;                                   // name of the last protocol used
@@ -77,13 +78,13 @@ HangingProtocols::HangingProtocols(Workbench& bench)
 }
 
 void HangingProtocols::makeActions() {
-  bench_.addAction({"nextProtocol",
-                    tr("Next protocol"),
-                    {tr("Alt+PgDown")},
-                    "",
-                    false,
-                    [this](bool) { step(1); },
-                    {{"protocolMenu", 20}}});
+  next_ = bench_.addAction({"nextProtocol",
+                            tr("Next protocol"),
+                            {tr("Alt+PgDown")},
+                            "",
+                            false,
+                            [this](bool) { step(1); },
+                            {{"protocolMenu", 20}}});
   bench_.addAction({"previousProtocol",
                     tr("Previous protocol"),
                     {tr("Alt+PgUp")},
@@ -146,8 +147,8 @@ void HangingProtocols::fillMenu() {
     listed_ << new QAction(tr("None fits what is open"), menu_);
     listed_.front()->setEnabled(false);
   }
-  menu_->insertActions(bench_.action("nextProtocol"), listed_);
-  listed_ << menu_->insertSeparator(bench_.action("nextProtocol"));
+  menu_->insertActions(next_, listed_);
+  listed_ << menu_->insertSeparator(next_);
 }
 
 void HangingProtocols::step(int by) {

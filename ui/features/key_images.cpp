@@ -34,7 +34,7 @@ KeyImages::KeyImages(Workbench& bench) : Feature(bench) {
   bench_.addDock(
       {"keyImages", tr("Key images"), panel_, {Qt::RightDockWidgetArea, 60, false, Workbench::About::flat}});
   connect(&bench_, &Workbench::sliceMenuOpens, this,
-          [this](QMenu* menu) { menu->addAction(bench_.action("keyImage")); });
+          [mark = actions.front()](QMenu* menu) { menu->addAction(mark); });
   connect(panel_, &KeyImagesPanel::pictureChosen, this,
           [this](const Series& series, int index) { showPicture(bench_, series, index); });
 }

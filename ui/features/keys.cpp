@@ -19,6 +19,7 @@ class Keys : public Feature {
   bool eventFilter(QObject* window, QEvent* event) override;
 
  private:
+  bool trigger(const QKeySequence& shortcut);
   bool triggerByPlace(const QKeyEvent& event);
   bool triggerByKeypad(const QKeyEvent& event);
 };
@@ -36,9 +37,13 @@ bool Keys::eventFilter(QObject* window, QEvent* event) {
 bool Keys::triggerByPlace(const QKeyEvent& event) {
   const int key = latinKey(event);
   if (key == event.key()) return false;
-  const QKeySequence wanted(QKeyCombination(event.modifiers(), Qt::Key(key)));
+  return trigger(QKeyCombination(event.modifiers(), Qt::Key(key)));
+}
+
+// Returns false if no enabled action has the shortcut.
+bool Keys::trigger(const QKeySequence& shortcut) {
   for (QAction* action : bench_.window.actions())
-    if (action->isEnabled() && action->shortcuts().contains(wanted)) {
+    if (action->isEnabled() && action->shortcuts().contains(shortcut)) {
       action->trigger();
       return true;
     }
@@ -48,15 +53,16 @@ bool Keys::triggerByPlace(const QKeyEvent& event) {
 // Handles keypad keys with and without NumLock. Under X11 shortcuts cannot distinguish them from other keys,
 // and fire not at all with NumLock on.
 bool Keys::triggerByKeypad(const QKeyEvent& event) {
-  static const std::map<int, std::pair<const char*, const char*>> views{
-      {Qt::Key_1, {"viewAnterior", "viewPosterior"}}, {Qt::Key_End, {"viewAnterior", "viewPosterior"}},
-      {Qt::Key_3, {"viewLeft", "viewRight"}},         {Qt::Key_PageDown, {"viewLeft", "viewRight"}},
-      {Qt::Key_7, {"viewSuperior", "viewInferior"}},  {Qt::Key_Home, {"viewSuperior", "viewInferior"}},
-      {Qt::Key_0, {"resetView", "resetView"}},        {Qt::Key_Insert, {"resetView", "resetView"}}};
+  // Letters of the views, and of the opposite ones.
+  static const std::map<int, std::pair<Qt::Key, Qt::Key>> views{
+      {Qt::Key_1, {Qt::Key_A, Qt::Key_P}}, {Qt::Key_End, {Qt::Key_A, Qt::Key_P}},
+      {Qt::Key_3, {Qt::Key_L, Qt::Key_R}}, {Qt::Key_PageDown, {Qt::Key_L, Qt::Key_R}},
+      {Qt::Key_7, {Qt::Key_S, Qt::Key_I}}, {Qt::Key_Home, {Qt::Key_S, Qt::Key_I}},
+      {Qt::Key_0, {Qt::Key_F, Qt::Key_F}}, {Qt::Key_Insert, {Qt::Key_F, Qt::Key_F}}};
   const auto view = views.find(event.key());
   if (view == views.end() || !(event.modifiers() & Qt::KeypadModifier)) return false;
   const bool opposite = event.modifiers() & Qt::ControlModifier;
-  bench_.action(opposite ? view->second.second : view->second.first)->trigger();
+  trigger(opposite ? view->second.second : view->second.first);
   return true;
 }
 

@@ -77,6 +77,9 @@ void Measuring::makeActions() {
     bench_.addAction(action, {{"measureMenu"}});
   }
   QAction* menu = measures->menuAction();
+  for (const QAction* action : group->actions())
+    connect(action, &QAction::enabledChanged, menu,
+            [group, menu] { menu->setEnabled(std::ranges::any_of(group->actions(), &QAction::isEnabled)); });
   menu->setObjectName(QStringLiteral("measure"));
   const auto showTool = [this, menu] {
     const QString name = QStringLiteral("measure");

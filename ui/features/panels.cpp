@@ -3,11 +3,9 @@
 #include <QVBoxLayout>
 
 #include "ui/features/feature.h"
-#include "ui/panels/camera_panel.h"
-#include "ui/panels/clip_panel.h"
 #include "ui/panels/flat_panel.h"
 #include "ui/panels/lights_panel.h"
-#include "ui/panels/material_panel.h"
+#include "ui/panels/scene_panels.h"
 #include "ui/panels/transfer_panel.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/explained.h"
@@ -34,7 +32,6 @@ class Panels : public Feature {
   explicit Panels(Workbench& bench);
 
  private:
-  QWidget* cameraPanel();
   QWidget* flatPanel();
 
   FlatPanel* flat_ = nullptr;
@@ -42,7 +39,10 @@ class Panels : public Feature {
 
 Panels::Panels(Workbench& bench) : Feature(bench) {
   const auto scrolling = [](QWidget* panel) { return Workbench::scrolling(panel); };
-  const auto lights = [this] { return stacked(new LightsPanel(session_), new MaterialPanel(session_)); };
+  const auto lights = [this] { return stacked(new LightsPanel(session_), makeMaterialPanel(session_)); };
+  const CameraInView camera{[this] { return bench_.view()->camera(); },
+                            [this](const QString& name) { bench_.view()->showView(name); },
+                            [this] { bench_.view()->resetView(); }};
   using About = Workbench::About;
   const Qt::DockWidgetArea right = Qt::RightDockWidgetArea;
   auto* transfer = new TransferPanel(session_);
@@ -55,22 +55,19 @@ Panels::Panels(Workbench& bench) : Feature(bench) {
        tr("Opacity and colour"),
        Workbench::scrolling(transfer, leastCurve),
        {right, 0, true, About::scene}},
-      {"flat", tr("Slices and frames"), flatPanel(), {right, 5, true, About::flat}},
       {"lights", tr("Lights"), scrolling(lights()), {right, 10, true, About::scene}},
-      {"clip", tr("Clip"), bench_.ofScene(scrolling(new ClipPanel(session_))), {right, 20}},
-      {"camera", tr("Camera"), scrolling(cameraPanel()), {right, 80, false, About::scene}},
+      {"camera",
+       tr("Camera"),
+       scrolling(makeCameraPanel(session_, camera)),
+       {right, 80, false, About::scene}},
   };
   for (const Workbench::DockEntry& entry : table) bench_.addDock(entry);
-  connect(bench_.dock("clip"), &QDockWidget::visibilityChanged, &grid_, &ViewGrid::setClipShown);
-  connect(bench_.dock("flat"), &QDockWidget::visibilityChanged, flat_, &FlatPanel::setWatched);
-}
-
-QWidget* Panels::cameraPanel() {
-  auto* panel = new CameraPanel(session_, [this] { return bench_.view()->camera(); });
-  connect(panel, &CameraPanel::viewRequested, this,
-          [this](const QString& name) { bench_.view()->showView(name); });
-  connect(panel, &CameraPanel::resetRequested, this, [this] { bench_.view()->resetView(); });
-  return panel;
+  const QDockWidget* flat =
+      bench_.addDock({"flat", tr("Slices and frames"), flatPanel(), {right, 5, true, About::flat}});
+  const QDockWidget* clip =
+      bench_.addDock({"clip", tr("Clip"), bench_.ofScene(scrolling(makeClipPanel(session_))), {right, 20}});
+  connect(clip, &QDockWidget::visibilityChanged, &grid_, &ViewGrid::setClipShown);
+  connect(flat, &QDockWidget::visibilityChanged, flat_, &FlatPanel::setWatched);
 }
 
 QWidget* Panels::flatPanel() {
@@ -100,6 +97,7 @@ QWidget* Panels::flatPanel() {
     if (view) connect(view, &FlatView::settled, flat_, &FlatPanel::refresh, Qt::UniqueConnection);
   };
   whenChanged(session_, explained, follow, showsOther);
+  // After the layout has changed the views.
   connect(&bench_, &Workbench::made, explained, [this, explained, follow] {
     connect(bench_.action("maximise"), &QAction::toggled, explained, follow);
   });

@@ -21,6 +21,7 @@ class PreferencesFeature : public Feature {
   void showTheme();
   void showDialog();
 
+  QList<QAction*> actions_;  // first the theme, hidden names and the table
   QPointer<PreferencesDialog> dialog_;
 };
 
@@ -65,15 +66,14 @@ void PreferencesFeature::makeActions() {
        false,
        [this](bool) { showDialog(); },
        {{"editMenu", 30}}}};
-  for (const Workbench::ActionEntry& entry : table) bench_.addAction(entry);
+  for (const Workbench::ActionEntry& entry : table) actions_ << bench_.addAction(entry);
 }
 
 void PreferencesFeature::apply(const Preferences& before, const Preferences& after) {
   storePreferences(after);
   if (before.theme != after.theme || before.textPercent != after.textPercent) showTheme();
-  bench_.action("lightTheme")->setChecked(after.theme == Theme::light);
-  bench_.action("hideNames")->setChecked(after.hideNames);
-  bench_.action("tableIn3d")->setChecked(after.tableIn3d);
+  const bool areOn[] = {after.theme == Theme::light, after.hideNames, after.tableIn3d};
+  for (int n = 0; n < 3; ++n) actions_[n]->setChecked(areOn[n]);
   if (before.hideNames != after.hideNames) bench_.banner.refresh();
 }
 

@@ -40,15 +40,15 @@ Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(ope
   connect(panel_, &StudiesPanel::objectChosen, &bench_, &Workbench::objectChosen);
   connect(panel_, &StudiesPanel::attributesRequested, this, &Studies::showAttributes);
   connect(panel_, &StudiesPanel::segmentsRequested, &bench_, &Workbench::segmentsRequested);
-  bench_.addAction({"attributes",
-                    tr("DICOM attributes..."),
-                    {},
-                    "",
-                    false,
-                    [this](bool) { showAttributesInFocus(); },
-                    {{"viewMenu", 60, 135}}});
+  QAction* attributes = bench_.addAction({"attributes",
+                                          tr("DICOM attributes..."),
+                                          {},
+                                          "",
+                                          false,
+                                          [this](bool) { showAttributesInFocus(); },
+                                          {{"viewMenu", 60, 135}}});
   connect(&bench_, &Workbench::sliceMenuOpens, this,
-          [this](QMenu* menu) { menu->addAction(bench_.action("attributes")); });
+          [attributes](QMenu* menu) { menu->addAction(attributes); });
   connect(&bench_, &Workbench::commandsOpen, this, &Studies::addCommands);
   connect(panel_, &StudiesPanel::removeRequested, &session_, &Session::close);
   connect(panel_, &StudiesPanel::closeAllRequested, this, &Studies::closeAll);

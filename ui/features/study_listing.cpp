@@ -70,6 +70,7 @@ class StudyListing : public Feature {
 
   StudySources& sources_ = bench_.document.sources;
   StudyBrowser* browser_;
+  QAction* shown_;  // checked while the browser is shown
   QLabel* patients_;
   // A study opened while another series was loading.
   struct Waiting {
@@ -116,14 +117,14 @@ void StudyListing::makePatientsBar() {
 }
 
 void StudyListing::makeActions() {
-  QAction* show = bench_.addAction({"showBrowser",
-                                    tr("Study list"),
-                                    {tr("Ctrl+B")},
-                                    "",
-                                    true,
-                                    {},
-                                    {{"fileMenu", 20}, {"toolBar", 10, 10}}});
-  connect(show, &QAction::triggered, this, &StudyListing::showBrowser);
+  shown_ = bench_.addAction({"showBrowser",
+                             tr("Study list"),
+                             {tr("Ctrl+B")},
+                             "",
+                             true,
+                             {},
+                             {{"fileMenu", 20}, {"toolBar", 10, 10}}});
+  connect(shown_, &QAction::triggered, this, &StudyListing::showBrowser);
   const auto find = [this](bool) {
     showBrowser(true);
     browser_->startSearch();
@@ -155,8 +156,7 @@ void StudyListing::connectBrowser() {
     if (std::exchange(listedOnce_, true) || browser_->isEmpty()) return;
     if (!bench_.document.loader.isBusy() && !showsAnything(session_.workspace())) showBrowser(true);
   });
-  connect(bench_.actions.at(QStringLiteral("maximise")), &QAction::toggled, this,
-          &StudyListing::arrangeBrowser);
+  connect(bench_.action("maximise"), &QAction::toggled, this, &StudyListing::arrangeBrowser);
   whenChanged(session_, this, &StudyListing::showPatients, showsOther, &Preferences::hideNames);
   whenChanged(
       session_, this, [this] { showBrowser(!showsAnything(session_.workspace()) && !browser_->isEmpty()); },
@@ -185,8 +185,7 @@ void StudyListing::connectSource(StudySource& source) {
 }
 
 void StudyListing::showBrowser(bool on) {
-  QAction* action = bench_.actions.at(QStringLiteral("showBrowser"));
-  action->setChecked(on);
+  shown_->setChecked(on);
   if (!on && isInSecond(session_.workspace().focus)) grid_.takeKeys();
   arrangeBrowser();
   if (!on) return;
@@ -196,8 +195,7 @@ void StudyListing::showBrowser(bool on) {
 }
 
 void StudyListing::arrangeBrowser() {
-  const bool isShown =
-      bench_.actions.at(QStringLiteral("showBrowser"))->isChecked() && !grid_.isAlone(sceneViewId);
+  const bool isShown = shown_->isChecked() && !grid_.isAlone(sceneViewId);
   const bool any = showsAnything(session_.workspace());
   const bool wereBoth = browser_->isVisibleTo(&bench_.split) && bench_.pages.isVisibleTo(&bench_.split);
   browser_->setVisible(isShown);
@@ -236,7 +234,7 @@ void StudyListing::showImport(const ImportReport& report) {
 // Leaves the keyboard focus where it is while pictures are shown.
 void StudyListing::showImported() {
   if (!showsAnything(session_.workspace())) return showBrowser(true);
-  bench_.actions.at(QStringLiteral("showBrowser"))->setChecked(true);
+  shown_->setChecked(true);
   arrangeBrowser();
 }
 

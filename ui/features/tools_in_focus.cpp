@@ -55,7 +55,6 @@ void ToolsInFocus::show() {
     action->second->setToolTip(
         toolTipOf(QStringList{tipOf(*action->second), isUsable ? QString() : whyNot(tool, isOf3D)}));
   }
-  bench_.action("measure")->setEnabled(isFlatView || isScene);
 }
 
 }  // namespace

@@ -7,6 +7,7 @@
 
 #include "ui/features/feature.h"
 #include "ui/panels/windows_dialog.h"
+#include "ui/tools/tool.h"
 #include "ui/views/flat_view.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/value_text.h"
@@ -36,15 +37,16 @@ WindowChoices::WindowChoices(Workbench& bench) : Feature(bench) {
   button->setText(tr("W/L"));
   button->setToolTip(toolTipOf(tr("Windows of the slice or frame in focus, by name")));
   button->setMenu(menu);
-  bench_.addAction({"editWindows", tr("Edit windows..."), {}, "", false, [this](bool) { showDialog(); }});
-  connect(menu, &QMenu::aboutToShow, this, [this, menu] {
+  QAction* edit =
+      bench_.addAction({"editWindows", tr("Edit windows..."), {}, "", false, [this](bool) { showDialog(); }});
+  connect(menu, &QMenu::aboutToShow, this, [this, menu, edit] {
     menu->clear();
     menu->addActions(choicesOf(menu, bench_.flatViewInFocus()));
     if (menu->isEmpty()) menu->addAction(whyNone())->setEnabled(false);
     menu->addSeparator();
     menu->addAction(bench_.action("windowAlone"));
-    menu->addAction(bench_.action("regionWindowTool"));
-    menu->addAction(bench_.action("editWindows"));
+    menu->addAction(bench_.actionOf(toolNamed("regionWindow")));
+    menu->addAction(edit);
   });
   connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* over, FlatView* view) {
     QAction* first = over->actions().value(0);

@@ -3,7 +3,6 @@
 #include <QGridLayout>
 #include <QHeaderView>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +13,7 @@ namespace volumen {
 
 namespace {
 
-enum { levelColumn, timeColumn, mostColumn, largestColumn, columns };
+enum { levelColumn, msColumn, mostColumn, largestColumn, columns };
 
 constexpr int tallestDifference = 220;  // pixels
 
@@ -63,61 +62,35 @@ AccuracyPanel::AccuracyPanel(Session& session, QWidget* parent)
       session_(session),
       slider_(new QSlider(Qt::Horizontal)),
       table_(new QTreeWidget),
-      meetTime_(new QCheckBox(tr("Keep frames under"))),
-      meetError_(new QCheckBox(tr("Keep the error under"))),
-      showError_(new QCheckBox(tr("Show error map"))),
-      frameMs_(new QDoubleSpinBox),
-      error_(new QDoubleSpinBox),
+      showError_(
+          flagField({QStringLiteral("showErrorBox"), tr("Show error map"),
+                     tr("Show the estimated error of each pixel instead of the picture (black: none)")})),
       difference_(plainLabel()),
-      caption_(plainLabel()),
+      caption_(wrappedLabel(QStringLiteral("differenceCaption"))),
       state_(plainLabel()),
-      estimate_(plainLabel()) {
+      estimate_(wrappedLabel(QStringLiteral("estimate"))) {
   makeTable();
-  frameMs_->setRange(1, 100000);
-  frameMs_->setDecimals(0);
-  frameMs_->setSingleStep(10);
-  frameMs_->setSuffix(tr(" ms"));
-  error_->setRange(0.01, 255);
-  error_->setDecimals(2);
-  error_->setSingleStep(0.1);
-  error_->setSuffix(tr("/255"));
-  meetTime_->setToolTip(tr("Use the most accurate level that is fast enough"));
-  meetError_->setToolTip(tr("Use the fastest level with 99 % of the pixels this close to the reference"));
   difference_->setObjectName(QStringLiteral("difference"));
   difference_->setAccessibleName(tr("Difference from the reference"));
   difference_->setAlignment(Qt::AlignCenter);
-  caption_->setObjectName(QStringLiteral("differenceCaption"));
-  caption_->setWordWrap(true);
   state_->setObjectName(QStringLiteral("measuringState"));
-  estimate_->setObjectName(QStringLiteral("estimate"));
   estimate_->setAccessibleName(tr("Estimated error of the displayed picture"));
   estimate_->setToolTip(tr("How far the displayed picture may be off, estimated while it was drawn"));
-  estimate_->setWordWrap(true);
-  showError_->setObjectName(QStringLiteral("showErrorBox"));
-  showError_->setToolTip(tr("Show the estimated error of each pixel instead of the picture (black: none)"));
   connect(showError_, &QCheckBox::toggled, this, &AccuracyPanel::errorWanted);
   // Always two lines, so that nothing below moves from picture to picture.
   estimate_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   estimate_->setMinimumHeight(2 * estimate_->fontMetrics().lineSpacing());
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(4);
-  column->addLayout(sliderRow());
-  column->addWidget(estimate_);
-  column->addWidget(showError_);
-  column->addWidget(table_);
-  column->addWidget(state_);
   auto* aims = new QGridLayout;
   aims->setSpacing(4);
-  addAim(*aims, 0, meetTime_, frameMs_, Aim::time, tr("Keep frames under a time"));
-  addAim(*aims, 1, meetError_, error_, Aim::error, tr("Keep the error under a limit"));
-  column->addLayout(aims);
-  column->addWidget(difference_);
-  column->addWidget(caption_);
-  column->addStretch();
-  connect(&session_, &Session::changed, this,
-          [this](const SessionState&, const SessionState& after) { showGoal(after.goal); });
-  showGoal(session_.goal());
+  addAim(*aims, Aim::time, &QualityGoal::frameMs,
+         {QStringLiteral("Time"), tr("Keep frames under"),
+          tr("Use the most accurate level that is fast enough")},
+         tr("Keep frames under a time"), {.low = 1, .high = 100000, .decimals = 0, .suffix = tr(" ms")}, 10);
+  addAim(*aims, Aim::error, &QualityGoal::errorOf255,
+         {QStringLiteral("Error"), tr("Keep the error under"),
+          tr("Use the fastest level with 99 % of the pixels this close to the reference")},
+         tr("Keep the error under a limit"), {.low = 0.01, .high = 255, .suffix = tr("/255")}, 0.1);
+  stack(this, {sliderRow(), estimate_, showError_, table_, state_, aims, difference_, caption_, {}}, 8);
   showLevel(session_.goal().level);
   showMeasured({});
 }
@@ -126,7 +99,7 @@ void AccuracyPanel::makeTable() {
   table_->setObjectName(QStringLiteral("levelTable"));
   table_->setAccessibleName(tr("Levels with their times and errors"));
   table_->setHeaderLabels({tr("Level"), tr("Time"), tr("99 % of\npixels within"), tr("Largest\nerror")});
-  table_->headerItem()->setToolTip(timeColumn, tr("Median time of a full picture in this window"));
+  table_->headerItem()->setToolTip(msColumn, tr("Median time of a full picture in this window"));
   table_->headerItem()->setToolTip(mostColumn,
                                    tr("99 % of the pixels differ from the reference by no more than this"));
   table_->headerItem()->setToolTip(largestColumn, tr("The largest difference from the reference"));
@@ -136,7 +109,7 @@ void AccuracyPanel::makeTable() {
   table_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   for (const PictureLevel level : pictureLevels()) {
     auto* item = new QTreeWidgetItem(table_, {nameOf(level)});
-    for (int c = timeColumn; c < columns; ++c) {
+    for (int c = msColumn; c < columns; ++c) {
       item->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
       table_->headerItem()->setTextAlignment(c, Qt::AlignRight | Qt::AlignVCenter);
     }
@@ -161,40 +134,41 @@ QLayout* AccuracyPanel::sliderRow() {
     if (!slider_->isSliderDown()) session_.endGesture();
   });
   connect(slider_, &QSlider::sliderReleased, this, [this] { session_.endGesture(); });
-  auto* row = new QHBoxLayout;
-  row->setSpacing(8);
-  row->addWidget(plainLabel(tr("Faster")));
-  row->addWidget(slider_, 1);
-  row->addWidget(plainLabel(tr("More accurate")));
-  return row;
+  return lineOf({tr("Faster"), {slider_, 1}, tr("More accurate")}, 8);
 }
 
-void AccuracyPanel::addAim(QGridLayout& grid, int row, QCheckBox* box, QDoubleSpinBox* field, Aim aim,
-                           const QString& name) {
-  const QString suffix = aim == Aim::time ? QStringLiteral("Time") : QStringLiteral("Error");
-  box->setObjectName(QStringLiteral("meet") + suffix);
-  field->setObjectName(QStringLiteral("aim") + suffix);
+void AccuracyPanel::addAim(QGridLayout& grid, Aim aim, double QualityGoal::*limit, const FieldText& text,
+                           const QString& name, const NumberFormat& format, double step) {
+  const Source<QualityGoal> goal{
+      .edit = [this](const QString& what, const auto& change) { editGoal(what, change); },
+      .done = [this] { session_.endGesture(); },
+      .follow =
+          [this](QObject* owner, const Follower<QualityGoal>& show) {
+            show(session_.goal());
+            connect(&session_, &Session::changed, owner,
+                    [show](const SessionState&, const SessionState& after) { show(after.goal); });
+          }};
+  auto* box = flagField({QStringLiteral("meet") + text.name, text.label, text.tip});
+  auto* field = numberField({QStringLiteral("aim") + text.name, name, text.tip}, format);
   box->setAccessibleName(name);
-  field->setAccessibleName(name);
-  field->setToolTip(box->toolTip());
-  field->setKeyboardTracking(false);
-  connect(box, &QCheckBox::clicked, this, [this, name, aim](bool on) {
-    editGoal(name, [&](QualityGoal& goal) {
-      goal.aim = on ? aim : Aim::level;
-      goal.level = level_;
-    });
-    session_.endGesture();
-  });
-  connect(field, &QDoubleSpinBox::valueChanged, this, [this, name, aim](double value) {
-    editGoal(name, [&](QualityGoal& goal) {
-      goal.aim = aim;
-      goal.level = level_;
-      (aim == Aim::time ? goal.frameMs : goal.errorOf255) = value;
-    });
-  });
-  connect(field, &QDoubleSpinBox::editingFinished, this, [this] { session_.endGesture(); });
-  grid.addWidget(box, row, 0);
-  grid.addWidget(field, row, 1);
+  field->setButtonSymbols(QAbstractSpinBox::UpDownArrows);
+  field->setSingleStep(step);
+  const int row = grid.count() / 2;
+  grid.addWidget(goal.bind(box, name,
+                           Lens<QualityGoal, bool>{[aim](const QualityGoal& g) { return g.aim == aim; },
+                                                   [this, aim](QualityGoal& g, bool on) {
+                                                     g.aim = on ? aim : Aim::level;
+                                                     g.level = level_;
+                                                   }}),
+                 row, 0);
+  grid.addWidget(goal.bind(field, name,
+                           Lens<QualityGoal, double>{[limit](const QualityGoal& g) { return g.*limit; },
+                                                     [this, aim, limit](QualityGoal& g, double value) {
+                                                       g.aim = aim;
+                                                       g.level = level_;
+                                                       g.*limit = value;
+                                                     }}),
+                 row, 1);
 }
 
 void AccuracyPanel::choose(int row) {
@@ -208,14 +182,6 @@ void AccuracyPanel::editGoal(const QString& text, const std::function<void(Quali
   QualityGoal after = session_.goal();
   change(after);
   session_.setGoal(text, after, text);
-}
-
-void AccuracyPanel::showGoal(const QualityGoal& goal) {
-  const QSignalBlocker quietTime(frameMs_), quietError(error_);
-  meetTime_->setChecked(goal.aim == Aim::time);
-  meetError_->setChecked(goal.aim == Aim::error);
-  frameMs_->setValue(goal.frameMs);
-  error_->setValue(goal.errorOf255);
 }
 
 void AccuracyPanel::showLevel(PictureLevel level) {
@@ -245,7 +211,7 @@ void AccuracyPanel::showRow(int row) {
   QTreeWidgetItem* item = table_->topLevelItem(row);
   const bool known = row < int(measured_.levels.size());
   const MeasuredLevel level = known ? measured_.levels[std::size_t(row)] : MeasuredLevel{};
-  item->setText(timeColumn, level.ms ? msText(*level.ms) : QStringLiteral("-"));
+  item->setText(msColumn, level.ms ? msText(*level.ms) : QStringLiteral("-"));
   const PictureError error = level.ms ? statedError(measured_.levels, std::size_t(row)) : PictureError();
   item->setText(mostColumn, level.ms ? errorText(error.percentile99) : QStringLiteral("-"));
   item->setText(largestColumn, level.ms ? errorText(error.maximum) : QStringLiteral("-"));

@@ -1,13 +1,10 @@
 #pragma once
 
-#include <QCheckBox>
-#include <QDoubleSpinBox>
-#include <QLabel>
-#include <QSlider>
 #include <QTreeWidget>
 
 #include "ui/controller/draw_service.h"
 #include "ui/controller/measured_levels.h"
+#include "ui/widgets/bind.h"
 #include "ui/workspace/session.h"
 
 class QGridLayout;
@@ -40,19 +37,18 @@ class AccuracyPanel : public QWidget {
  private:
   void makeTable();
   QLayout* sliderRow();
-  void addAim(QGridLayout& grid, int row, QCheckBox* box, QDoubleSpinBox* field, Aim aim,
-              const QString& name);
+  /// Adds a limit to aim at: a box that switches it, and a field for it. `name` is the undo step.
+  void addAim(QGridLayout& grid, Aim aim, double QualityGoal::*limit, const FieldText& text,
+              const QString& name, const NumberFormat& format, double step);
   void choose(int row);
   void editGoal(const QString& text, const std::function<void(QualityGoal&)>& change);
-  void showGoal(const QualityGoal& goal);
   void showRow(int row);
   void showDifference();
 
   Session& session_;
   QSlider* slider_;
   QTreeWidget* table_;
-  QCheckBox *meetTime_, *meetError_, *showError_;
-  QDoubleSpinBox *frameMs_, *error_;
+  QCheckBox* showError_;
   QLabel *difference_, *caption_, *state_, *estimate_;
   MeasuredLevels measured_;
   PictureLevel level_;

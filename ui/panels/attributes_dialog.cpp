@@ -2,12 +2,9 @@
 
 #include <QAction>
 #include <QClipboard>
-#include <QDialogButtonBox>
 #include <QFileInfo>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QPushButton>
 #include <QScrollBar>
 #include <QSignalBlocker>
 #include <QTreeWidgetItemIterator>
@@ -16,6 +13,7 @@
 #include <set>
 #include <utility>
 
+#include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/picture_in_focus.h"
 #include "ui/workspace/text.h"
@@ -75,18 +73,15 @@ bool showFound(QTreeWidgetItem* item, const QString& text, bool all) {
 AttributesDialog::AttributesDialog(Session& session, const Series& series, QWidget* parent)
     : QDialog(parent),
       session_(session),
-      slice_(new QSpinBox),
-      follow_(new QCheckBox(tr("Follow the view"))),
+      slice_(wholeField({QStringLiteral("attributesSlice"), tr("Slice")}, 1, 1)),
+      follow_(flagField({QStringLiteral("attributesFollow"), tr("Follow the view")})),
       search_(new QLineEdit),
       tree_(new QTreeWidget),
       file_(plainLabel()) {
   setObjectName(QStringLiteral("attributesDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
   resize(760, 560);
-  slice_->setObjectName(QStringLiteral("attributesSlice"));
-  slice_->setAccessibleName(tr("Slice"));
   slice_->setKeyboardTracking(false);
-  follow_->setObjectName(QStringLiteral("attributesFollow"));
   search_->setObjectName(QStringLiteral("attributesSearch"));
   search_->setPlaceholderText(tr("Search tags, names and values"));
   search_->setClearButtonEnabled(true);
@@ -116,22 +111,13 @@ AttributesDialog::AttributesDialog(Session& session, const Series& series, QWidg
 }
 
 void AttributesDialog::makeLayout() {
-  auto* row = new QHBoxLayout;
-  auto* label = plainLabel(tr("Slice"));
-  label->setBuddy(slice_);
-  row->addWidget(label);
-  row->addWidget(slice_);
-  row->addWidget(follow_);
-  row->addWidget(search_, 1);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-  QPushButton* copyAll = buttons->addButton(tr("Copy all"), QDialogButtonBox::ActionRole);
-  copyAll->setObjectName(QStringLiteral("attributesCopyAll"));
-  copyAll->setToolTip(toolTipOf(tr("All rows that are shown, with tabs between their columns")));
-  copyAll->setAutoDefault(false);
-  connect(copyAll, &QPushButton::clicked, this, [this] { copy(false); });
+  addButton(*buttons, QStringLiteral("attributesCopyAll"), tr("Copy all"), [this] {
+    copy(false);
+  })->setToolTip(toolTipOf(tr("All rows that are shown, with tabs between their columns")));
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   auto* column = new QVBoxLayout(this);
-  column->addLayout(row);
+  column->addLayout(lineOf({captionOf(tr("Slice"), slice_), slice_, follow_, {search_, 1}}, -1));
   column->addWidget(tree_, 1);
   column->addWidget(file_);
   column->addWidget(buttons);

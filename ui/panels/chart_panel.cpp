@@ -2,12 +2,10 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <algorithm>
 
-#include "ui/widgets/plain_text.h"
+#include "ui/widgets/fields.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"
 
@@ -23,12 +21,14 @@ ChartPanel::ChartPanel(Session& session, FrameService& frames, Jobs& jobs, QWidg
     : QWidget(parent),
       session_(session),
       frames_(frames),
-      said_(plainLabel({})),
-      kind_(new QComboBox),
-      copy_(new QToolButton),
+      said_(wrappedLabel(QStringLiteral("chartSaid"))),
+      kind_(choiceField({QStringLiteral("chartKind"), tr("What is drawn")})),
+      copy_(buttonOf(QStringLiteral("chartCopy"), tr("Copy as CSV"),
+                     [this] { QGuiApplication::clipboard()->setText(chartAsCsv(view_->chart())); })),
       view_(new ChartView),
       charts_(measurementChartsRule(session, [this] { return wanted_; }), session, &jobs) {
-  makeLayout();
+  copy_->setToolTip(tr("Copy the numbers of the chart"));
+  stack(this, {lineOf({kind_, {}, copy_}), said_, {view_, 1}}, 8);
   atRest_.setSingleShot(true);
   atRest_.setInterval(restMs);
   connect(&atRest_, &QTimer::timeout, this, [this] {
@@ -43,30 +43,7 @@ ChartPanel::ChartPanel(Session& session, FrameService& frames, Jobs& jobs, QWidg
       preferred_ = kind;
     showSelected();
   });
-  connect(copy_, &QToolButton::clicked, this,
-          [this] { QGuiApplication::clipboard()->setText(chartAsCsv(view_->chart())); });
   showSelected();
-}
-
-void ChartPanel::makeLayout() {
-  said_->setObjectName(QStringLiteral("chartSaid"));
-  said_->setWordWrap(true);
-  kind_->setObjectName(QStringLiteral("chartKind"));
-  kind_->setAccessibleName(tr("What is drawn"));
-  copy_->setObjectName(QStringLiteral("chartCopy"));
-  copy_->setText(tr("Copy as CSV"));
-  copy_->setToolTip(tr("Copy the numbers of the chart"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
-  row->addWidget(kind_);
-  row->addStretch();
-  row->addWidget(copy_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(4);
-  column->addLayout(row);
-  column->addWidget(said_);
-  column->addWidget(view_, 1);
 }
 
 void ChartPanel::showEvent(QShowEvent* event) {

@@ -27,7 +27,6 @@ class ChartPanel : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
-  void makeLayout();
   void offer(const std::vector<ChartKind>& kinds);
   bool isToRest(const Measurement& measurement, ChartKind kind);
   void drop();

@@ -1,16 +1,8 @@
 #pragma once
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QLabel>
-#include <QToolButton>
-
 #include "ui/panels/value_fields.h"
-#include "ui/widgets/number_row.h"
+#include "ui/widgets/bind.h"
 #include "ui/workspace/session.h"
-
-class QVBoxLayout;
 
 namespace volumen {
 
@@ -54,25 +46,23 @@ class FlatPanel : public QWidget {
   void followSession();
   void showWindow(const FlatShown& shown);
   void showOverlay(const FlatShown& shown);
-  void showSlab(const FlatShown& shown);
   void setWindow(WindowEnds ends);
   void setOverlayWindow(WindowEnds ends);
-  /// Changes the looks of all planes that show the same series.
-  void editLooks(const QString& text, const std::function<void(FlatLook&)>& change,
-                 const QString& mergeKey = {});
+  /// Returns the look of the view, or of all planes that show the same series.
+  Source<FlatLook> looks(bool ofAllPlanes);
 
   Session& session_;
   const FlatInFocus focus_;
   bool isWatched_ = false;
   std::optional<FlatShown> shown_;  // as last shown
-  QWidget *window_, *colours_, *overlay_, *slab_;
-  QComboBox *choice_, *colourMap_, *overlayColours_, *slabMode_;
+  std::vector<Follower<FlatLook>> lookFollowers_;
+  std::vector<Follower<SeriesState>> seriesFollowers_;
+  QWidget *overlay_, *slab_;
+  QComboBox *choice_, *colourMap_;
   ValueFields *values_, *overlayValues_;
   QCheckBox *inverted_, *interpolated_;
   QToolButton* overlayName_;
   QWidget* overlayParts_;
-  NumberRow* opacity_;
-  QDoubleSpinBox* slabMm_;
   QLabel *noWindow_, *noSlab_, *facts_;
 };
 

@@ -1,11 +1,9 @@
 #include "ui/panels/key_images_panel.h"
 
 #include <QAction>
-#include <QHBoxLayout>
-#include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
+#include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/when_changed.h"
 
@@ -31,30 +29,21 @@ KeyImagesPanel::KeyImagesPanel(Session& session, DerivedObjects& derived, OpenPi
       session_(session),
       derived_(derived),
       pictures_(std::move(pictures)),
-      empty_(plainLabel(tr("K marks the picture that is shown."))),
+      empty_(wrappedLabel(QStringLiteral("keyImagesEmpty"), tr("K marks the picture that is shown."))),
       list_(new QTreeWidget) {
-  empty_->setObjectName(QStringLiteral("keyImagesEmpty"));
-  empty_->setWordWrap(true);
   list_->setObjectName(QStringLiteral("keyImageList"));
   list_->setAccessibleName(tr("Key images"));
   list_->setHeaderHidden(true);
   list_->setIndentation(8);
   list_->setMinimumHeight(60);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
+  std::vector<LayoutPart> buttons;
   for (QAction* action : actions) {
-    auto* button = new QToolButton;
+    auto* button = buttonOf(action->objectName() + QStringLiteral("Button"));
     button->setDefaultAction(action);
-    button->setObjectName(action->objectName() + QStringLiteral("Button"));
-    row->addWidget(button);
+    buttons.push_back(button);
   }
-  row->addStretch();
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(4);
-  column->addWidget(empty_);
-  column->addWidget(list_, 1);
-  column->addLayout(row);
+  buttons.push_back({});
+  stack(this, {empty_, {list_, 1}, lineOf(buttons)}, 8);
   whenChanged(session_, this, &KeyImagesPanel::showAll, &Workspace::keyImages, &Workspace::series);
   connect(&session_, &Session::preferencesChanged, this, &KeyImagesPanel::showAll);
   connect(&derived_, &DerivedObjects::changed, this, &KeyImagesPanel::showAll);

@@ -1,11 +1,8 @@
 #include "ui/panels/lights_panel.h"
 
-#include <QComboBox>
 #include <QCoreApplication>
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <glm/geometric.hpp>
 
 #include "ui/panels/light_presets.h"
@@ -28,17 +25,12 @@ glm::dvec3 toCamera(const CameraAxes& axes, glm::dvec3 d) {
 }  // namespace
 
 LightsPanel::LightsPanel(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), ball_(new LightBall) {
+    : QWidget(parent), session_(session), ball_(new LightBall), list_(new QListWidget), fields_(new QWidget) {
   ball_->setObjectName(QStringLiteral("lightBall"));
-  auto* top = new QHBoxLayout;
-  top->addWidget(ball_, 1);
-  top->addWidget(makeList(), 1);
   ball_->setMaximumHeight(tallest);
   list_->setMaximumHeight(tallest);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->addLayout(top);
-  column->addWidget(makeFields());
+  makeFields();
+  stack(this, {lineOf({{ball_, 1}, {makeList(), 1}}, -1), fields_}, 8, -1);
   connectBall();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.scene.lights != after.scene.lights || before.scene.camera != after.scene.camera) showLights();
@@ -48,19 +40,12 @@ LightsPanel::LightsPanel(Session& session, QWidget* parent)
 
 QWidget* LightsPanel::makeList() {
   auto* box = new QWidget;
-  list_ = new QListWidget;
   list_->setObjectName(QStringLiteral("lightList"));
   list_->setAccessibleName(tr("Lights"));
   list_->setMinimumSize(60, 60);
-  add_ = new QToolButton;
-  add_->setObjectName(QStringLiteral("addLight"));
-  add_->setText(tr("Add"));
-  remove_ = new QToolButton;
-  remove_->setObjectName(QStringLiteral("removeLight"));
-  remove_->setText(tr("Remove"));
-  auto* presets = new QToolButton;
-  presets->setObjectName(QStringLiteral("lightPresets"));
-  presets->setText(tr("Presets"));
+  add_ = buttonOf(QStringLiteral("addLight"), tr("Add"), [this] { addLight(); });
+  remove_ = buttonOf(QStringLiteral("removeLight"), tr("Remove"), [this] { removeLight(); });
+  auto* presets = buttonOf(QStringLiteral("lightPresets"), tr("Presets"));
   presets->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(presets);
   for (const LightPreset& preset : lightPresets()) {
@@ -70,16 +55,7 @@ QWidget* LightsPanel::makeList() {
     });
   }
   presets->setMenu(menu);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(4);
-  for (QToolButton* button : {add_, remove_, presets}) buttons->addWidget(button);
-  buttons->addStretch();
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(list_, 1);
-  column->addLayout(buttons);
-  connect(add_, &QToolButton::clicked, this, &LightsPanel::addLight);
-  connect(remove_, &QToolButton::clicked, this, &LightsPanel::removeLight);
+  stack(box, {{list_, 1}, lineOf({add_, remove_, presets, {}})}, 0, -1);
   connect(list_, &QListWidget::currentRowChanged, ball_, &LightBall::select);
   connect(list_, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
     const int n = list_->row(item);
@@ -89,41 +65,27 @@ QWidget* LightsPanel::makeList() {
   return box;
 }
 
-QWidget* LightsPanel::makeFields() {
-  fields_ = new QWidget;
-  colour_ = new ColourButton(tr("Light colour"));
-  colour_->setObjectName(QStringLiteral("lightColour"));
-  intensity_ = new NumberRow(tr("Intensity"), {.low = 0, .high = 2, .decimals = 2});
-  space_ = new QComboBox;
-  space_->setObjectName(QStringLiteral("lightSpace"));
-  space_->setAccessibleName(tr("Light attached to"));
-  space_->addItems({tr("Moves with the camera"), tr("Fixed to the patient")});
-  auto* row = new QHBoxLayout;
-  row->addWidget(space_, 1);
-  row->addWidget(colour_);
-  auto* column = new QVBoxLayout(fields_);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  column->addWidget(intensity_);
-  column->addLayout(row);
-  connect(intensity_, &NumberRow::valueEdited, this, [this](double v) {
-    changeSelected(tr("Light intensity"), [&](Light& light) { light.intensity = v; });
-  });
-  connect(colour_, &ColourButton::colourEdited, this, [this](glm::dvec3 c) {
-    changeSelected(tr("Light colour"), [&](Light& light) { light.colour = c; });
-  });
-  connect(intensity_, &NumberRow::gestureFinished, this, [this] { session_.endGesture(); });
-  connect(colour_, &ColourButton::gestureFinished, this, [this] { session_.endGesture(); });
-  connect(space_, &QComboBox::activated, this, [this](int n) {
-    changeSelected(tr("Light attached to"), [&](Light& light) {
-      const Space space = n == 0 ? Space::camera : Space::patient;
-      if (light.space == space) return;
-      light.space = space;  // the light stays where it is
-      light.direction = n == 0 ? toCamera(axes(), light.direction) : toPatient(axes(), light.direction);
-    });
-    session_.endGesture();
-  });
-  return fields_;
+void LightsPanel::makeFields() {
+  const Source<Light> light{
+      .edit = [this](const QString& what, const auto& change) { changeSelected(what, change); },
+      .done = [this] { session_.endGesture(); },
+      .follow = [this](QObject*, const Follower<Light>& show) { followers_.push_back(show); }};
+  const Lens<Light, int> attachedTo{[](const Light& l) { return l.space == Space::camera ? 0 : 1; },
+                                    [this](Light& l, int n) {
+                                      const Space space = n == 0 ? Space::camera : Space::patient;
+                                      if (l.space == space) return;
+                                      l.space = space;  // the light stays where it is
+                                      l.direction = (n == 0 ? toCamera : toPatient)(axes(), l.direction);
+                                    }};
+  auto* colour = new ColourButton(tr("Light colour"));
+  colour->setObjectName(QStringLiteral("lightColour"));
+  stack(fields_, {light.bind(new NumberRow(tr("Intensity"), {.high = 2}), tr("Light intensity"),
+                             at(&Light::intensity)),
+                  lineOf({{light.bind(choiceField({QStringLiteral("lightSpace"), tr("Light attached to")},
+                                                  {tr("Moves with the camera"), tr("Fixed to the patient")}),
+                                      tr("Light attached to"), attachedTo),
+                           1},
+                          light.bind(colour, tr("Light colour"), at(&Light::colour))})});
 }
 
 void LightsPanel::connectBall() {
@@ -171,9 +133,7 @@ void LightsPanel::showSelected() {
   fields_->setEnabled(any);
   remove_->setEnabled(any);
   if (!any) return;
-  colour_->setColour(lights[n].colour);
-  intensity_->setValue(lights[n].intensity);
-  space_->setCurrentIndex(lights[n].space == Space::camera ? 0 : 1);
+  for (const auto& show : followers_) show(lights[std::size_t(n)]);
 }
 
 void LightsPanel::changeSelected(const QString& what, const std::function<void(Light&)>& change) {

@@ -1,14 +1,10 @@
 #pragma once
 
 #include <QListWidget>
-#include <QToolButton>
 
-#include "ui/widgets/colour_button.h"
+#include "ui/widgets/bind.h"
 #include "ui/widgets/light_ball.h"
-#include "ui/widgets/number_row.h"
 #include "ui/workspace/session.h"
-
-class QComboBox;
 
 namespace volumen {
 
@@ -22,7 +18,7 @@ class LightsPanel : public QWidget {
 
  private:
   QWidget* makeList();
-  QWidget* makeFields();
+  void makeFields();
   void connectBall();
   void showLights();
   void showSelected();
@@ -35,10 +31,8 @@ class LightsPanel : public QWidget {
   LightBall* ball_;
   QListWidget* list_;
   QToolButton *add_, *remove_;
-  ColourButton* colour_;
-  NumberRow* intensity_;
-  QComboBox* space_;
   QWidget* fields_;
+  std::vector<Follower<Light>> followers_;  // fields of the selected light
 };
 
 }  // namespace volumen

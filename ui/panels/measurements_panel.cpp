@@ -2,16 +2,15 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QMenu>
 #include <QSaveFile>
 #include <QShortcut>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <utility>
 
+#include "ui/widgets/fields.h"
 #include "ui/widgets/path_dialog.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
@@ -27,28 +26,24 @@ namespace {
 enum { nameColumn, numberColumn, seriesColumn, placeColumn, timeColumn, dateColumn, patientColumn };
 constexpr qint64 mostBytes = 16 << 20;  // limit for a file of shapes, as in `volumen measure`
 
-QToolButton* button(const char* name, const QString& text) {
-  auto* made = new QToolButton;
-  made->setObjectName(QLatin1String(name));
-  made->setText(text);
-  return made;
-}
-
 }  // namespace
 
 MeasurementsPanel::MeasurementsPanel(Session& session, MeasuredNumbers& measurer, QWidget* parent)
     : QWidget(parent),
       session_(session),
       measurer_(measurer),
-      empty_(plainLabel(tr("Choose a tool under Measure (D: length, E: ellipse), then drag in a slice."))),
+      empty_(wrappedLabel(QStringLiteral("measurementsEmpty"),
+                          tr("Choose a tool under Measure (D: length, E: ellipse), then drag in a slice."))),
       list_(new QTreeWidget),
-      shown_(new QCheckBox(tr("Show"))),
-      rename_(button("measurementRename", tr("Rename"))),
-      delete_(button("measurementDelete", tr("Delete"))),
-      deleteAll_(button("measurementDeleteAll", tr("Delete all"))),
+      shown_(flagField({QStringLiteral("measurementsShown"), tr("Show"), tr("Show measurements in slices")})),
+      rename_(buttonOf(QStringLiteral("measurementRename"), tr("Rename"),
+                       [this] { list_->editItem(list_->currentItem(), nameColumn); })),
+      delete_(buttonOf(QStringLiteral("measurementDelete"), tr("Delete"), [this] { deleteSelected(); })),
+      deleteAll_(buttonOf(QStringLiteral("measurementDeleteAll"), tr("Delete all"),
+                          [this] { deleteAllMeasurements(session_); })),
       copy_(menuButton("measurementCopy", tr("Copy"))),
       save_(menuButton("measurementSave", tr("Save"))),
-      open_(button("measurementOpen", tr("Open..."))) {
+      open_(buttonOf(QStringLiteral("measurementOpen"), tr("Open..."), [this] { askWhatToOpen(); })) {
   makeLayout();
   fillMenus();
   connect(&session_, &Session::workspaceChanged, this,
@@ -69,22 +64,12 @@ MeasurementsPanel::MeasurementsPanel(Session& session, MeasuredNumbers& measurer
   });
   connect(list_, &QTreeWidget::itemChanged, this, &MeasurementsPanel::rename);
   connect(shown_, &QCheckBox::clicked, this, [this](bool on) { showMeasurements(session_, on); });
-  connect(rename_, &QToolButton::clicked, this,
-          [this] { list_->editItem(list_->currentItem(), nameColumn); });
-  const auto deleteSelected = [this] {
-    if (selectedId() > 0) deleteMeasurement(session_, selectedId());
-  };
-  connect(delete_, &QToolButton::clicked, this, deleteSelected);
   auto* key = new QShortcut(Qt::Key_Delete, list_, nullptr, nullptr, Qt::WidgetShortcut);
-  connect(key, &QShortcut::activated, this, deleteSelected);
-  connect(deleteAll_, &QToolButton::clicked, this, [this] { deleteAllMeasurements(session_); });
-  connect(open_, &QToolButton::clicked, this, &MeasurementsPanel::askWhatToOpen);
+  connect(key, &QShortcut::activated, this, &MeasurementsPanel::deleteSelected);
   showAll();
 }
 
 void MeasurementsPanel::makeLayout() {
-  empty_->setObjectName(QStringLiteral("measurementsEmpty"));
-  empty_->setWordWrap(true);
   list_->setObjectName(QStringLiteral("measurementList"));
   list_->setAccessibleName(tr("Measurements"));
   list_->setHeaderLabels({tr("Name"), tr("Number"), tr("Series"), tr("Place"), tr("Time point"),
@@ -98,30 +83,17 @@ void MeasurementsPanel::makeLayout() {
   for (const int column : {seriesColumn, placeColumn, timeColumn, dateColumn, patientColumn})
     list_->header()->resizeSection(column, 70);
   list_->setMinimumHeight(60);
-  shown_->setObjectName(QStringLiteral("measurementsShown"));
-  shown_->setToolTip(tr("Show measurements in slices"));
   open_->setToolTip(tr("Add the shapes of a file to the series in focus"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
-  for (QWidget* part : {static_cast<QWidget*>(shown_), static_cast<QWidget*>(rename_),
-                        static_cast<QWidget*>(delete_), static_cast<QWidget*>(deleteAll_)})
-    row->addWidget(part);
-  row->addStretch();
-  auto* files = new QHBoxLayout;
-  files->setSpacing(4);
-  for (QToolButton* part : {copy_, save_, open_}) files->addWidget(part);
-  files->addStretch();
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(4);
-  column->addWidget(empty_);
-  column->addWidget(list_, 1);
-  column->addLayout(row);
-  column->addLayout(files);
+  stack(this,
+        {empty_,
+         {list_, 1},
+         lineOf({shown_, rename_, delete_, deleteAll_, {}}),
+         lineOf({copy_, save_, open_, {}})},
+        8);
 }
 
 QToolButton* MeasurementsPanel::menuButton(const char* name, const QString& text) {
-  QToolButton* made = button(name, text);
+  QToolButton* made = buttonOf(QLatin1String(name), text);
   made->setPopupMode(QToolButton::InstantPopup);
   made->setMenu(new QMenu(made));
   return made;
@@ -188,6 +160,10 @@ void MeasurementsPanel::showRow(QTreeWidgetItem* item, const Measurement& measur
     item->setText(column, text);
     item->setToolTip(column, toolTipOf(text));
   }
+}
+
+void MeasurementsPanel::deleteSelected() {
+  if (selectedId() > 0) deleteMeasurement(session_, selectedId());
 }
 
 int MeasurementsPanel::selectedId() const {

@@ -28,6 +28,7 @@ class MeasurementsPanel : public QWidget {
   void fillMenus();
   void showAll();
   void showRow(QTreeWidgetItem* item, const Measurement& measurement);
+  void deleteSelected();
   int selectedId() const;
   std::vector<MeasuredRow> rows();
   void rename(QTreeWidgetItem* item);

@@ -1,9 +1,9 @@
 #include "ui/panels/mouse_table.h"
 
-#include <QComboBox>
 #include <QGridLayout>
 #include <algorithm>
 
+#include "ui/panels/sources.h"
 #include "ui/widgets/plain_text.h"
 
 namespace volumen {
@@ -70,21 +70,18 @@ void MouseTable::addBox(QGridLayout& grid, const MouseSlot& slot) {
   const auto columns = mouseColumns();
   const auto line = std::ranges::find(lines, slot.input, &MouseLine::input);
   const auto column = std::ranges::find(columns, slot.held, &MouseColumn::held);
-  auto* box = new QComboBox;
-  box->setObjectName(QString::fromStdString(wordOf(slot)));
-  box->setAccessibleName(slot.held ? tr("%1 with %2").arg(line->text, column->text) : line->text);
   const std::vector<MouseAction>& actions = mouseActions(slot);
-  for (const MouseAction& action : actions) box->addItem(action.text);
-  grid.addWidget(box, 1 + int(line - lines.begin()), 1 + int(column - columns.begin()));
-  connect(box, &QComboBox::activated, this, [this, slot, &actions](int n) {
-    session_.prefer(withBound(session_.preferences(), slot, actions[std::size_t(n)].word));
-  });
-  const auto show = [this, box, slot, &actions] {
-    const auto bound = std::ranges::find(actions, boundTo(session_.preferences(), slot), &MouseAction::word);
-    box->setCurrentIndex(int(bound - actions.begin()));
-  };
-  connect(&session_, &Session::preferencesChanged, box, show);
-  show();
+  QStringList texts;
+  std::vector<std::string> words;
+  for (const MouseAction& action : actions) texts << action.text, words.push_back(action.word);
+  const Lens<Preferences, std::string> bound{
+      [slot](const Preferences& p) { return boundTo(p, slot); },
+      [slot](Preferences& p, const std::string& word) { p = withBound(p, slot, word); }};
+  auto* box = choiceField({QString::fromStdString(wordOf(slot)),
+                           slot.held ? tr("%1 with %2").arg(line->text, column->text) : line->text},
+                          texts);
+  grid.addWidget(preferencesSource(session_).bind(box, {}, among(bound, words)),
+                 1 + int(line - lines.begin()), 1 + int(column - columns.begin()));
 }
 
 }  // namespace volumen

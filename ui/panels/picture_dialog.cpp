@@ -1,8 +1,6 @@
 #include "ui/panels/picture_dialog.h"
 
-#include <QDialogButtonBox>
 #include <QFormLayout>
-#include <QPushButton>
 #include <algorithm>
 #include <cstdlib>
 
@@ -13,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int widestPicture = 8192, widestOfSheet = 800, mostRows = 12;
+constexpr int widestPicture = 8192, widestOfSheet = 800, mostSheetRows = 12;
 
 // Sizes in the order of the box.
 constexpr PictureLook::Size sizeChoices[] = {PictureLook::Size::asSeen, PictureLook::Size::own,
@@ -33,6 +31,13 @@ QString titleOf(PicturesOf of) {
 
 }  // namespace
 
+QCheckBox* hideNamesField(const QString& name) {
+  auto* field = flagField({name, tr("Hide names, IDs and dates")});
+  field->setChecked(namesHidden());
+  field->setEnabled(!namesHidden());
+  return field;
+}
+
 PictureDialog::PictureDialog(PicturesOf of, std::vector<NumberedPlace> stack, int count, QSize seen,
                              QWidget* parent)
     : QDialog(parent), of_(of), stack_(std::move(stack)), seen_(seen), form_(new QFormLayout(this)) {
@@ -40,33 +45,30 @@ PictureDialog::PictureDialog(PicturesOf of, std::vector<NumberedPlace> stack, in
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(titleOf(of));
   addSize();
-  addRange(std::max(1, count));
-  addSheet();
+  addNumbers(std::max(1, count));
   addTexts();
   addButtons();
   showCount();
 }
 
-QSpinBox* PictureDialog::number(const char* name, const QString& label, int least, int most, int value) {
-  auto* box = new QSpinBox;
-  box->setObjectName(QLatin1String(name));
-  box->setAccessibleName(label);
-  box->setRange(least, most);
+QSpinBox* PictureDialog::number(const char* name, const QString& label, int least, int most, int value,
+                                bool isShown) {
+  auto* box = wholeField({QLatin1String(name), label}, least, most);
   box->setValue(value);
   form_->addRow(label, box);
+  form_->setRowVisible(box, isShown);
   connect(box, &QSpinBox::valueChanged, this, &PictureDialog::showCount);
   return box;
 }
 
 void PictureDialog::addSize() {
   const bool isSheet = of_ == PicturesOf::sheet;
-  size_ = new QComboBox;
-  size_->setObjectName(QStringLiteral("pictureSize"));
-  size_->setAccessibleName(tr("Size"));
-  size_->addItems({tr("As on screen"), tr("All of it at its own pixels"), tr("As on screen, of this width")});
-  form_->addRow(tr("Size"), size_);
+  size_ =
+      choiceField({QStringLiteral("pictureSize"), tr("Size")},
+                  {tr("As on screen"), tr("All of it at its own pixels"), tr("As on screen, of this width")});
+  form_->addRow(size_->accessibleName(), size_);
   width_ = number("pictureWidth", isSheet ? tr("Width of a picture") : tr("Width"), 50,
-                  isSheet ? widestOfSheet : widestPicture, isSheet ? 256 : 2 * seen_.width());
+                  isSheet ? widestOfSheet : widestPicture, isSheet ? 256 : 2 * seen_.width(), true);
   width_->setSuffix(tr(" px"));
   const auto follow = [this] {
     width_->setEnabled(sizeChoices[size_->currentIndex()] == PictureLook::Size::wide);
@@ -79,31 +81,23 @@ void PictureDialog::addSize() {
   follow();
 }
 
-void PictureDialog::addRange(int count) {
-  first_ = number("pictureFirst", tr("From"), 1, count, 1);
-  last_ = number("pictureLast", tr("To"), 1, count, count);
-  every_ = number("pictureEvery", tr("Every"), 1, count, 1);
+void PictureDialog::addNumbers(int count) {
+  const bool isSheet = of_ == PicturesOf::sheet, isRange = of_ != PicturesOf::view;
+  first_ = number("pictureFirst", tr("From"), 1, count, 1, isRange);
+  last_ = number("pictureLast", tr("To"), 1, count, count, isRange);
   for (QSpinBox* box : {first_, last_}) box->setSuffix(tr(" of %1").arg(count));
+  every_ = number("pictureEvery", tr("Every"), 1, count, 1, of_ == PicturesOf::stack);
   every_->setToolTip(toolTipOf(tr("1: each of them; 3: every third one")));
-  for (QSpinBox* box : {first_, last_, every_}) form_->setRowVisible(box, of_ != PicturesOf::view);
-  form_->setRowVisible(every_, of_ == PicturesOf::stack);
-}
-
-void PictureDialog::addSheet() {
-  rows_ = number("sheetRows", tr("Rows"), 1, mostRows, 4);
-  columns_ = number("sheetColumns", tr("Columns"), 1, mostRows, 5);
-  for (QSpinBox* box : {rows_, columns_}) form_->setRowVisible(box, of_ == PicturesOf::sheet);
+  rows_ = number("sheetRows", tr("Rows"), 1, mostSheetRows, 4, isSheet);
+  columns_ = number("sheetColumns", tr("Columns"), 1, mostSheetRows, 5, isSheet);
 }
 
 void PictureDialog::addTexts() {
-  texts_ = new QCheckBox(of_ == PicturesOf::sheet ? tr("Texts above, a number on each picture")
-                                                  : tr("Texts, lines and measurements"));
-  texts_->setObjectName(QStringLiteral("pictureTexts"));
+  texts_ = flagField({QStringLiteral("pictureTexts"), of_ == PicturesOf::sheet
+                                                          ? tr("Texts above, a number on each picture")
+                                                          : tr("Texts, lines and measurements")});
   texts_->setChecked(true);
-  hideNames_ = new QCheckBox(tr("Hide names, IDs and dates"));
-  hideNames_->setObjectName(QStringLiteral("pictureHideNames"));
-  hideNames_->setChecked(namesHidden());
-  hideNames_->setEnabled(!namesHidden());
+  hideNames_ = hideNamesField(QStringLiteral("pictureHideNames"));
   connect(texts_, &QCheckBox::toggled, this,
           [this](bool on) { hideNames_->setEnabled(on && !namesHidden()); });
   form_->addRow(texts_);
@@ -115,13 +109,9 @@ void PictureDialog::addButtons() {
   count_->setObjectName(QStringLiteral("pictureCount"));
   form_->addRow(count_);
   form_->setRowVisible(count_, of_ != PicturesOf::view);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-  save_ = buttons->addButton(tr("Save..."), QDialogButtonBox::AcceptRole);
-  save_->setObjectName(QStringLiteral("pictureSave"));
-  save_->setDefault(true);
+  auto* buttons = new QDialogButtonBox;
+  save_ = addAccept(*this, *buttons, QStringLiteral("pictureSave"), tr("Save..."));
   form_->addRow(buttons);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
 }
 
 PictureLook PictureDialog::look() const {

@@ -1,19 +1,19 @@
 #pragma once
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QDialog>
-#include <QLabel>
 #include <QSpinBox>
 #include <vector>
 
+#include "ui/widgets/fields.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/picture_look.h"
 
 class QFormLayout;
-class QPushButton;
 
 namespace volumen {
+
+/// Makes the field that hides names in pictures. It cannot be changed while the window hides them.
+QCheckBox* hideNamesField(const QString& name);
 
 /// The kinds of pictures made of a flat view.
 enum class PicturesOf {
@@ -40,11 +40,10 @@ class PictureDialog : public QDialog {
 
  private:
   void addSize();
-  void addRange(int count);
-  void addSheet();
+  void addNumbers(int count);
   void addTexts();
   void addButtons();
-  QSpinBox* number(const char* name, const QString& label, int least, int most, int value);
+  QSpinBox* number(const char* name, const QString& label, int least, int most, int value, bool isShown);
   int every() const;
   void showCount();
 

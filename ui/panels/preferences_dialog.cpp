@@ -1,66 +1,68 @@
 #include "ui/panels/preferences_dialog.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QMessageBox>
-#include <QPushButton>
-#include <algorithm>
 
 #include "ui/panels/mouse_table.h"
+#include "ui/panels/sources.h"
 
 namespace volumen {
 
-PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent)
-    : QDialog(parent), session_(session), form_(new QFormLayout(this)) {
+PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent) : QDialog(parent), session_(session) {
   setObjectName(QStringLiteral("preferencesDialog"));
   setWindowTitle(tr("Preferences"));
-  form_->setHorizontalSpacing(16);
-  addChoice<Theme>("theme", tr("Theme"), &Preferences::theme,
-                   {{tr("Dark"), Theme::dark}, {tr("Light"), Theme::light}});
-  addChoice<int>("textSize", tr("Text size"), &Preferences::textPercent,
-                 {{tr("Normal"), 100}, {tr("Large"), 120}, {tr("Very large"), 140}});
-  addMousePresets();
-  form_->addRow(new MouseTable(session_));
-  addFlag("zoomDragInverted", tr("Drag down to enlarge"), &Preferences::zoomDragInverted);
-  addFlag("wheelInverted", tr("Turn the wheel towards you to enlarge"), &Preferences::wheelInverted);
-  addFlag("curveDragInverted", tr("Drag up to move the curve to higher values"),
-          &Preferences::curveDragInverted);
-  addChoice<bool>("opacityAxis", tr("Opacity axis"), &Preferences::logarithmicOpacity,
-                  {{tr("Linear"), false}, {tr("Logarithmic"), true}});
-  addChoice<int>("memory", tr("Memory for series"), &Preferences::memoryPercent,
-                 {{tr("10 % of the machine's"), 10}, {tr("25 %"), 25}, {tr("50 %"), 50}, {tr("75 %"), 75}});
-  addFlag("crosshairLines", tr("Lines of the crosshair in planes"), &Preferences::crosshairLines);
-  addFlag("referenceLines", tr("Reference lines of other views"), &Preferences::referenceLines);
-  addFlag("referenceEnds", tr("Reference lines of their first and last slices"), &Preferences::referenceEnds);
-  addFlag("hideNames", tr("Hide names, IDs, dates and file names"), &Preferences::hideNames);
+  auto* form = new QFormLayout(this);
+  form->setHorizontalSpacing(16);
+  addFields(*form);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::RestoreDefaults | QDialogButtonBox::Close);
-  form_->addRow(buttons);
-  buttons->button(QDialogButtonBox::RestoreDefaults)->setText(tr("Restore defaults"));
+  form->addRow(buttons);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   QPushButton *restore = buttons->button(QDialogButtonBox::RestoreDefaults),
               *close = buttons->button(QDialogButtonBox::Close);
+  restore->setText(tr("Restore defaults"));
   restore->setAutoDefault(false);  // otherwise Enter would trigger it
   close->setDefault(true);
   connect(restore, &QPushButton::clicked, this, &PreferencesDialog::askToRestore);
 }
 
-// Choosing a preset drops all differences from the one before.
-void PreferencesDialog::addMousePresets() {
-  auto* box = new QComboBox;
-  box->setObjectName(QStringLiteral("mousePreset"));
-  box->setAccessibleName(tr("Mouse"));
-  for (const MousePreset& preset : mousePresets()) box->addItem(preset.text);
-  form_->addRow(tr("Mouse"), box);
-  connect(box, &QComboBox::activated, this, [this](int n) {
-    session_.prefer(withMousePreset(session_.preferences(), mousePresets()[std::size_t(n)].name));
-  });
-  follow([this, box] {
-    const auto& all = mousePresets();
-    const auto chosen = std::ranges::find(all, session_.preferences().mousePreset, &MousePreset::name);
-    box->setCurrentIndex(chosen == all.end() ? 0 : int(chosen - all.begin()));
-  });
+void PreferencesDialog::addFields(QFormLayout& form) {
+  const Source<Preferences> source = preferencesSource(session_);
+  const auto choice = [&](const QString& name, const QString& label, const QStringList& entries,
+                          const Lens<Preferences, int>& lens) {
+    form.addRow(label, source.bind(choiceField({name, label}, entries), {}, lens));
+  };
+  const auto flag = [&](const QString& name, const QString& label, bool Preferences::*member) {
+    form.addRow(source.bind(flagField({name, label}), {}, at(member)));
+  };
+  choice(QStringLiteral("theme"), tr("Theme"), {tr("Dark"), tr("Light")},
+         among(at(&Preferences::theme), {Theme::dark, Theme::light}));
+  choice(QStringLiteral("textSize"), tr("Text size"), {tr("Normal"), tr("Large"), tr("Very large")},
+         among(at(&Preferences::textPercent), {100, 120, 140}));
+  QStringList presets;
+  std::vector<std::string> names;
+  for (const MousePreset& preset : mousePresets()) presets << preset.text, names.push_back(preset.name);
+  // Choosing a preset drops all differences from the one before.
+  const Lens<Preferences, std::string> preset{
+      [](const Preferences& p) { return p.mousePreset; },
+      [](Preferences& p, const std::string& name) { p = withMousePreset(p, name); }};
+  choice(QStringLiteral("mousePreset"), tr("Mouse"), presets, among(preset, names));
+  form.addRow(new MouseTable(session_));
+  flag(QStringLiteral("zoomDragInverted"), tr("Drag down to enlarge"), &Preferences::zoomDragInverted);
+  flag(QStringLiteral("wheelInverted"), tr("Turn the wheel towards you to enlarge"),
+       &Preferences::wheelInverted);
+  flag(QStringLiteral("curveDragInverted"), tr("Drag up to move the curve to higher values"),
+       &Preferences::curveDragInverted);
+  choice(QStringLiteral("opacityAxis"), tr("Opacity axis"), {tr("Linear"), tr("Logarithmic")},
+         among(at(&Preferences::logarithmicOpacity), {false, true}));
+  choice(QStringLiteral("memory"), tr("Memory for series"),
+         {tr("10 % of the machine's"), tr("25 %"), tr("50 %"), tr("75 %")},
+         among(at(&Preferences::memoryPercent), {10, 25, 50, 75}));
+  flag(QStringLiteral("crosshairLines"), tr("Lines of the crosshair in planes"),
+       &Preferences::crosshairLines);
+  flag(QStringLiteral("referenceLines"), tr("Reference lines of other views"), &Preferences::referenceLines);
+  flag(QStringLiteral("referenceEnds"), tr("Reference lines of their first and last slices"),
+       &Preferences::referenceEnds);
+  flag(QStringLiteral("hideNames"), tr("Hide names, IDs, dates and file names"), &Preferences::hideNames);
 }
 
 void PreferencesDialog::askToRestore() {
@@ -73,37 +75,6 @@ void PreferencesDialog::askToRestore() {
           [this] { session_.prefer(defaultsFor(session_.preferences())); });
   box->setDefaultButton(QMessageBox::Cancel);
   box->open();
-}
-
-void PreferencesDialog::follow(const std::function<void()>& show) {
-  connect(&session_, &Session::preferencesChanged, this, show);
-  show();
-}
-
-template <class Value>
-void PreferencesDialog::addChoice(const char* name, const QString& label, Value Preferences::*member,
-                                  const std::vector<std::pair<QString, Value>>& entries) {
-  auto* box = new QComboBox;
-  box->setObjectName(QLatin1String(name));
-  box->setAccessibleName(label);
-  for (const auto& [text, value] : entries) box->addItem(text);
-  form_->addRow(label, box);
-  connect(box, &QComboBox::activated, this, [this, member, entries](int n) {
-    session_.prefer([&](Preferences& p) { p.*member = entries[std::size_t(n)].second; });
-  });
-  follow([this, box, member, entries] {
-    for (std::size_t n = 0; n < entries.size(); ++n)
-      if (entries[n].second == session_.preferences().*member) box->setCurrentIndex(int(n));
-  });
-}
-
-void PreferencesDialog::addFlag(const char* name, const QString& label, bool Preferences::*member) {
-  auto* box = new QCheckBox(label);
-  box->setObjectName(QLatin1String(name));
-  form_->addRow(box);
-  connect(box, &QCheckBox::clicked, this,
-          [this, member](bool on) { session_.prefer([&](Preferences& p) { p.*member = on; }); });
-  follow([this, box, member] { box->setChecked(session_.preferences().*member); });
 }
 
 }  // namespace volumen

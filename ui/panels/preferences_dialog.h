@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QDialog>
-#include <functional>
 
 #include "ui/workspace/session.h"
 
@@ -16,16 +15,10 @@ class PreferencesDialog : public QDialog {
   explicit PreferencesDialog(Session& session, QWidget* parent = nullptr);
 
  private:
-  template <class Value>
-  void addChoice(const char* name, const QString& label, Value Preferences::*member,
-                 const std::vector<std::pair<QString, Value>>& entries);
-  void addFlag(const char* name, const QString& label, bool Preferences::*member);
-  void addMousePresets();
+  void addFields(QFormLayout& form);
   void askToRestore();
-  void follow(const std::function<void()>& show);
 
   Session& session_;
-  QFormLayout* form_;
 };
 
 }  // namespace volumen

@@ -6,9 +6,9 @@
 #include <QMenu>
 #include <QPainter>
 #include <QStyledItemDelegate>
-#include <QToolButton>
 #include <algorithm>
 
+#include "ui/widgets/fields.h"
 #include "ui/widgets/untinted_icon.h"
 #include "ui/workspace/text.h"
 
@@ -55,10 +55,10 @@ class ThumbnailDelegate : public QStyledItemDelegate {
 }  // namespace
 
 PresetBar::PresetBar(Session& session, Entries entries, QWidget* parent)
-    : QWidget(parent), session_(session), readEntries_(std::move(entries)), box_(new QComboBox) {
-  box_->setObjectName(QStringLiteral("presets"));
-  box_->setAccessibleName(tr("Preset"));
-  box_->setToolTip(tr("Preset of opacity and colour"));
+    : QWidget(parent),
+      session_(session),
+      readEntries_(std::move(entries)),
+      box_(choiceField({QStringLiteral("presets"), tr("Preset"), tr("Preset of opacity and colour")})) {
   box_->setMinimumContentsLength(8);
   box_->setMaxVisibleItems(10);
   box_->setIconSize({20, 20});
@@ -87,11 +87,9 @@ void PresetBar::makeMenu() {
   save_->setObjectName(QStringLiteral("savePreset"));
   delete_ = menu->addAction(tr("Delete preset"), this, &PresetBar::deleteOwn);
   delete_->setObjectName(QStringLiteral("deletePreset"));
-  auto* button = new QToolButton;
-  button->setObjectName(QStringLiteral("presetMenu"));
+  auto* button = buttonOf(QStringLiteral("presetMenu"), QStringLiteral("\u22ee"));
   button->setAccessibleName(tr("Own presets"));
   button->setToolTip(tr("Save or delete a preset of your own"));
-  button->setText(QStringLiteral("\u22ee"));
   button->setStyleSheet(QStringLiteral("QToolButton::menu-indicator { image: none; }"));
   button->setPopupMode(QToolButton::InstantPopup);
   button->setMenu(menu);

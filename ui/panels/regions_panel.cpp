@@ -1,14 +1,13 @@
 #include "ui/panels/regions_panel.h"
 
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QScrollBar>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/derived_text.h"
 #include "ui/workspace/region_colours.h"
@@ -70,11 +69,10 @@ RegionsPanel::RegionsPanel(Session& session, DerivedObjects& derived, QWidget* p
     : QWidget(parent),
       session_(session),
       derived_(derived),
-      empty_(plainLabel(tr("Contours (RTSTRUCT) and segmentations (SEG) of what is open stand here."))),
+      empty_(wrappedLabel(QStringLiteral("regionsEmpty"),
+                          tr("Contours (RTSTRUCT) and segmentations (SEG) of what is open stand here."))),
       list_(new QTreeWidget),
       opacity_(new QSlider(Qt::Horizontal)) {
-  empty_->setObjectName(QStringLiteral("regionsEmpty"));
-  empty_->setWordWrap(true);
   list_->setObjectName(QStringLiteral("regionList"));
   list_->setAccessibleName(tr("Contours and segments"));
   list_->setHeaderHidden(true);
@@ -85,15 +83,7 @@ RegionsPanel::RegionsPanel(Session& session, DerivedObjects& derived, QWidget* p
   opacity_->setAccessibleName(tr("Opacity of segments"));
   opacity_->setToolTip(tr("Opacity of segments"));
   opacity_->setRange(0, 100);
-  auto* row = new QHBoxLayout;
-  row->addWidget(plainLabel(tr("Opacity of segments")));
-  row->addWidget(opacity_, 1);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(4);
-  column->addWidget(empty_);
-  column->addWidget(list_, 1);
-  column->addLayout(row);
+  stack(this, {empty_, {list_, 1}, lineOf({opacity_->accessibleName(), {opacity_, 1}})}, 8);
   connect(list_, &QTreeWidget::itemChanged, this, &RegionsPanel::toggle);
   connect(list_, &QTreeWidget::itemDoubleClicked, this, &RegionsPanel::choose);
   connect(list_, &QTreeWidget::customContextMenuRequested, this, &RegionsPanel::showMenu);

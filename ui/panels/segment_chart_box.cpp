@@ -2,12 +2,10 @@
 
 #include <QClipboard>
 #include <QGuiApplication>
-#include <QHBoxLayout>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/controller/segment_time_values.h"
-#include "ui/widgets/plain_text.h"
+#include "ui/widgets/fields.h"
 #include "ui/workspace/segment_charts.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
@@ -25,42 +23,22 @@ constexpr std::size_t mostUnchosen = 6;  // most segments drawn without a select
 SegmentChartBox::SegmentChartBox(const Session& session, Jobs& jobs, QWidget* parent)
     : QWidget(parent),
       session_(session),
-      kind_(new QComboBox),
-      said_(plainLabel()),
-      copy_(new QToolButton),
+      kind_(choiceField({QStringLiteral("segmentChartKind"), tr("What is drawn")})),
+      said_(wrappedLabel(QStringLiteral("segmentChartSaid"))),
+      copy_(buttonOf(QStringLiteral("segmentChartCopy"), tr("Copy as CSV"),
+                     [this] { QGuiApplication::clipboard()->setText(chartAsCsv(view_->chart())); })),
       view_(new ChartView),
       overTime_(overTimeRule(), session, &jobs) {
-  makeLayout();
-  connect(copy_, &QToolButton::clicked, this,
-          [this] { QGuiApplication::clipboard()->setText(chartAsCsv(view_->chart())); });
+  kind_->addItem(chartText(ChartKind::histogram), int(ChartKind::histogram));
+  copy_->setToolTip(tr("Copy the numbers of the chart"));
+  view_->setObjectName(QStringLiteral("segmentChart"));
+  stack(this, {lineOf({kind_, {said_, 1}, copy_}), {view_, 1}});
   connect(kind_, &QComboBox::activated, this, [this] {
     overTime_.tryAgain([](const OverTimeKey&) { return true; });
     showChosen();
   });
   connect(&overTime_, &OverTime::changed, this, &SegmentChartBox::showChosen);
   setMeasured({}, {}, {});
-}
-
-void SegmentChartBox::makeLayout() {
-  kind_->setObjectName(QStringLiteral("segmentChartKind"));
-  kind_->setAccessibleName(tr("What is drawn"));
-  kind_->addItem(chartText(ChartKind::histogram), int(ChartKind::histogram));
-  said_->setObjectName(QStringLiteral("segmentChartSaid"));
-  said_->setWordWrap(true);
-  copy_->setObjectName(QStringLiteral("segmentChartCopy"));
-  copy_->setText(tr("Copy as CSV"));
-  copy_->setToolTip(tr("Copy the numbers of the chart"));
-  view_->setObjectName(QStringLiteral("segmentChart"));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
-  row->addWidget(kind_);
-  row->addWidget(said_, 1);
-  row->addWidget(copy_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  column->addLayout(row);
-  column->addWidget(view_, 1);
 }
 
 void SegmentChartBox::setMeasured(const std::vector<SegmentMap>& maps,

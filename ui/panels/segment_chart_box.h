@@ -38,7 +38,6 @@ class SegmentChartBox : public QWidget {
     bool operator==(const OverTimeKey&) const = default;
   };
 
-  void makeLayout();
   void offerKinds();
   void showChosen();
   using OverTime = Derivation<OverTimeKey, SegmentsOverTime>;

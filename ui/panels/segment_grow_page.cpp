@@ -1,11 +1,8 @@
 #include "ui/panels/segment_grow_page.h"
 
-#include <QHBoxLayout>
-#include <QVBoxLayout>
-
 #include "ui/controller/lesion.h"
 #include "ui/controller/segment_edits.h"
-#include "ui/panels/part_fields.h"
+#include "ui/panels/sources.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 
@@ -13,27 +10,8 @@ namespace volumen {
 
 namespace {
 
-QComboBox* explainedChoice(const char* name, const QString& label, const QStringList& items) {
-  QComboBox* box = narrowChoice(name, label);
-  box->setToolTip(toolTipOf(label));
-  box->addItems(items);
-  return box;
-}
-
-// Returns the button of the lesion tool with its threshold.
-QHBoxLayout* lesionRow(SegmentEditing& editing) {
-  QStringList texts;
-  for (const LesionThreshold& threshold : lesionThresholds()) texts << thresholdText(threshold);
-  QComboBox* box =
-      explainedChoice("lesionThreshold",
-                      SegmentGrowPage::tr("From which value on voxels in the sphere are the lesion"), texts);
-  QObject::connect(box, &QComboBox::currentIndexChanged, box, [&editing](int n) {
-    editing.choose([n](SegmentOptions& o) { o.lesionThreshold = lesionThresholds()[std::size_t(n)]; });
-  });
-  auto* row = new QHBoxLayout;
-  row->addWidget(toolButton("segmentLesion", "lesionTool"));
-  row->addWidget(box, 1);
-  return row;
+QComboBox* explainedChoice(const QString& name, const QString& label, const QStringList& items) {
+  return choiceField({name, label, label}, items, 6);
 }
 
 }  // namespace
@@ -41,35 +19,32 @@ QHBoxLayout* lesionRow(SegmentEditing& editing) {
 SegmentGrowPage::SegmentGrowPage(SegmentEditing& editing, QWidget* parent)
     : QWidget(parent),
       editing_(editing),
-      region_(explainedChoice("growRegion",
-                              tr("Where is grown: about the seeds is a tenth of their box more on all "
-                                 "sides, at least 3 voxels"),
-                              {tr("about them"), tr("everywhere")})),
-      grow_(new QPushButton(tr("Grow from seeds"))),
-      preview_(new QCheckBox(tr("Preview"))) {
-  grow_->setObjectName(QStringLiteral("segmentGrow"));
-  preview_->setObjectName(QStringLiteral("growPreview"));
-  makeLayout();
-  connect(grow_, &QPushButton::clicked, &editing_, &SegmentEditing::grow);
-  bindOption(preview_, editing_, &SegmentOptions::previewsGrowth);
-  bindOption(region_, editing_, &SegmentOptions::growthRegion);
+      grow_(buttonOf<QPushButton>(QStringLiteral("segmentGrow"), tr("Grow from seeds"),
+                                  [&editing] { editing.grow(); })),
+      preview_(flagField({QStringLiteral("growPreview"), tr("Preview")})) {
+  const Source<SegmentOptions> options = optionsSource(editing);
+  const auto& thresholds = lesionThresholds();
+  QStringList texts;
+  for (const LesionThreshold& threshold : thresholds) texts << thresholdText(threshold);
+  auto* lesion = explainedChoice(QStringLiteral("lesionThreshold"),
+                                 tr("From which value on voxels in the sphere are the lesion"), texts);
+  auto* region = explainedChoice(QStringLiteral("growRegion"),
+                                 tr("Where is grown: about the seeds is a tenth of their box more on all "
+                                    "sides, at least 3 voxels"),
+                                 {tr("about them"), tr("everywhere")});
+  options.bind(preview_, {}, at(&SegmentOptions::previewsGrowth));
+  stack(
+      this,
+      {lineOf({buttonOf(QStringLiteral("segmentLesion")),
+               {options.bind(
+                    lesion, {},
+                    among(at(&SegmentOptions::lesionThreshold), {thresholds.begin(), thresholds.end()})),
+                1}}),
+       lineOf({buttonOf(QStringLiteral("segmentTrace")), buttonOf(QStringLiteral("segmentSmartBrush")), {}}),
+       lineOf({grow_, {options.bind(region, {}, ordinal(at(&SegmentOptions::growthRegion))), 1}}),
+       lineOf({preview_, {}}),
+       {}});
   showSegments();
-}
-
-void SegmentGrowPage::makeLayout() {
-  auto* lines = new QHBoxLayout;
-  lines->addWidget(toolButton("segmentTrace", "levelTraceTool"));
-  lines->addWidget(toolButton("segmentSmartBrush", "smartBrushTool"));
-  lines->addStretch();
-  auto* seeds = new QHBoxLayout;
-  seeds->addWidget(grow_);
-  seeds->addWidget(region_, 1);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  for (QHBoxLayout* row : {lesionRow(editing_), lines, seeds}) column->addLayout(row);
-  column->addWidget(preview_, 0, Qt::AlignLeft);
-  column->addStretch();
 }
 
 void SegmentGrowPage::showSegments() {

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QPushButton>
+#include <QWidget>
 
 #include "ui/controller/segment_editing.h"
+
+class QCheckBox;
+class QPushButton;
 
 namespace volumen {
 
@@ -19,10 +20,7 @@ class SegmentGrowPage : public QWidget {
   void showSegments();
 
  private:
-  void makeLayout();
-
   SegmentEditing& editing_;
-  QComboBox* region_;
   QPushButton* grow_;
   QCheckBox* preview_;
 };

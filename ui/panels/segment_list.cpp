@@ -1,13 +1,11 @@
 #include "ui/panels/segment_list.h"
 
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLocale>
 #include <QMenu>
 #include <QShortcut>
 #include <QSignalBlocker>
 #include <QStyledItemDelegate>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -17,6 +15,7 @@
 #include "ui/controller/segment_target.h"
 #include "ui/panels/segment_tree.h"
 #include "ui/widgets/colours.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/untinted_icon.h"
 #include "ui/workspace/region_colours.h"
@@ -40,13 +39,6 @@ class NotTyped : public QStyledItemDelegate {
     return nullptr;
   }
 };
-
-QToolButton* listButton(const char* name, const QString& text) {
-  auto* made = new QToolButton;
-  made->setObjectName(QLatin1String(name));
-  made->setText(text);
-  return made;
-}
 
 int segmentNumberOf(const QTreeWidgetItem* item) { return item->data(shownColumn, numberRole).toInt(); }
 int mapNumberOf(const QTreeWidgetItem* item) { return item->data(shownColumn, mapRole).toInt(); }
@@ -78,10 +70,10 @@ SegmentList::SegmentList(SegmentEditing& editing, const SegmentNumbers& numbers,
       session_(editing.session()),
       numbers_(numbers),
       list_(new SegmentTree),
-      worked_(plainLabel()),
-      add_(listButton("segmentAdd", tr("Add"))),
-      duplicate_(listButton("segmentDuplicate", tr("Duplicate"))),
-      remove_(listButton("segmentRemove", tr("Remove"))),
+      worked_(wrappedLabel(QStringLiteral("segmentMap"))),
+      add_(buttonOf(QStringLiteral("segmentAdd"), tr("Add"), [this] { add(); })),
+      duplicate_(buttonOf(QStringLiteral("segmentDuplicate"), tr("Duplicate"), [this] { duplicate(); })),
+      remove_(buttonOf(QStringLiteral("segmentRemove"), tr("Remove"), [this] { remove(); })),
       colour_(new ColourButton(tr("Colour of the segment"))),
       opacity_(new QSlider(Qt::Horizontal)) {
   makeLayout();
@@ -107,31 +99,15 @@ void SegmentList::makeLayout() {
   list_->header()->setStretchLastSection(false);
   list_->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
   list_->header()->setSectionResizeMode(shownColumn, QHeaderView::Stretch);
-  worked_->setObjectName(QStringLiteral("segmentMap"));
-  worked_->setWordWrap(true);
   colour_->setObjectName(QStringLiteral("segmentColour"));
   opacity_->setObjectName(QStringLiteral("segmentFill"));
   opacity_->setAccessibleName(tr("Opacity of the segment"));
   opacity_->setRange(0, 100);
   opacity_->setMinimumWidth(40);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
-  for (QWidget* part : {static_cast<QWidget*>(add_), static_cast<QWidget*>(duplicate_),
-                        static_cast<QWidget*>(remove_), static_cast<QWidget*>(colour_)})
-    row->addWidget(part);
-  row->addWidget(opacity_, 1);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  column->addWidget(list_, 1);
-  column->addWidget(worked_);
-  column->addLayout(row);
+  stack(this, {{list_, 1}, worked_, lineOf({add_, duplicate_, remove_, colour_, {opacity_, 1}})});
 }
 
 void SegmentList::connectButtons() {
-  connect(add_, &QToolButton::clicked, this, &SegmentList::add);
-  connect(duplicate_, &QToolButton::clicked, this, &SegmentList::duplicate);
-  connect(remove_, &QToolButton::clicked, this, &SegmentList::remove);
   auto* key = new QShortcut(Qt::Key_Delete, list_, nullptr, nullptr, Qt::WidgetShortcut);
   connect(key, &QShortcut::activated, this, [this] {
     if (remove_->isEnabled()) remove();

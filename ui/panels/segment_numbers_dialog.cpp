@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QClipboard>
-#include <QDialogButtonBox>
 #include <QGuiApplication>
 #include <QHeaderView>
 #include <QSaveFile>
@@ -15,6 +14,7 @@
 
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/frozen_column.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/path_dialog.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
@@ -72,13 +72,6 @@ QString likenessText(const SegmentLikeness& alike) {
   return parts.isEmpty() ? SegmentNumbersDialog::tr("both are empty") : parts.join(QStringLiteral(", "));
 }
 
-QPushButton* dialogButton(QDialogButtonBox* box, const char* name, const QString& text) {
-  QPushButton* button = box->addButton(text, QDialogButtonBox::ActionRole);
-  button->setObjectName(QLatin1String(name));
-  button->setAutoDefault(false);
-  return button;
-}
-
 }  // namespace
 
 SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const SegmentPainter& painter,
@@ -88,7 +81,7 @@ SegmentNumbersDialog::SegmentNumbersDialog(Session& session, Jobs& jobs, const S
       painter_(painter),
       table_(new QTableWidget),
       charts_(new SegmentChartBox(session, jobs)),
-      said_(plainLabel()),
+      said_(wrappedLabel(QStringLiteral("segmentNumbersSaid"))),
       reports_(segmentReportsRule(session, painter, reports_, [this] { return isOpen_; }), session, &jobs),
       lane_(&jobs) {
   setObjectName(QStringLiteral("segmentNumbersDialog"));
@@ -126,22 +119,17 @@ void SegmentNumbersDialog::makeLayout() {
   table_->setAlternatingRowColors(true);
   table_->verticalHeader()->hide();
   table_->horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);  // sorted as in the list at first
-  said_->setObjectName(QStringLiteral("segmentNumbersSaid"));
-  said_->setWordWrap(true);
   said_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-  compare_ = dialogButton(buttons, "segmentNumbersCompare", tr("Compare"));
-  copy_ = dialogButton(buttons, "segmentNumbersCopy", tr("Copy"));
-  saveCsv_ = dialogButton(buttons, "segmentNumbersCsv", tr("Save CSV..."));
-  saveJson_ = dialogButton(buttons, "segmentNumbersJson", tr("Save JSON..."));
+  compare_ =
+      addButton(*buttons, QStringLiteral("segmentNumbersCompare"), tr("Compare"), [this] { compare(); });
+  copy_ = addButton(*buttons, QStringLiteral("segmentNumbersCopy"), tr("Copy"), [this] { copy(); });
+  saveCsv_ = addButton(*buttons, QStringLiteral("segmentNumbersCsv"), tr("Save CSV..."),
+                       [this] { askWhere(QStringLiteral("csv"), [this] { return csvText(); }); });
+  saveJson_ = addButton(*buttons, QStringLiteral("segmentNumbersJson"), tr("Save JSON..."),
+                        [this] { askWhere(QStringLiteral("json"), [this] { return jsonText(); }); });
   copy_->setToolTip(toolTipOf(tr("The chosen rows, else all, for a spreadsheet (Ctrl+C)")));
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
-  connect(compare_, &QPushButton::clicked, this, &SegmentNumbersDialog::compare);
-  connect(copy_, &QPushButton::clicked, this, &SegmentNumbersDialog::copy);
-  connect(saveCsv_, &QPushButton::clicked, this,
-          [this] { askWhere(QStringLiteral("csv"), [this] { return csvText(); }); });
-  connect(saveJson_, &QPushButton::clicked, this,
-          [this] { askWhere(QStringLiteral("json"), [this] { return jsonText(); }); });
   auto* action = new QAction(tr("Copy"), table_);
   action->setShortcut(QKeySequence::Copy);
   action->setShortcutContext(Qt::WidgetShortcut);

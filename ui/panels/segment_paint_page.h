@@ -1,13 +1,11 @@
 #pragma once
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QHBoxLayout>
-#include <QToolButton>
 #include <QWidget>
 
 #include "ui/controller/segment_editing.h"
+
+class QComboBox;
+class QToolButton;
 
 namespace volumen {
 
@@ -22,22 +20,13 @@ class SegmentPaintPage : public QWidget {
   void showSegments();
 
  private:
-  void makeLayout();
-  QHBoxLayout* lastRow();
-  void connectFields();
-  void showBrush();
   void showOther();
   void showOthers();
   void fillBetween();
 
   SegmentEditing& editing_;
   Session& session_;
-  QCheckBox* erases_;
-  QComboBox* shape_;
-  QDoubleSpinBox* mm_;
-  QCheckBox* inRange_;
-  QComboBox *beside_, *other_;
-  QDoubleSpinBox* cutMm_;
+  QComboBox* other_;
   QToolButton* fill_;
 };
 

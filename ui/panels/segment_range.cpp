@@ -1,17 +1,16 @@
 #include "ui/panels/segment_range.h"
 
 #include <QAction>
-#include <QHBoxLayout>
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QTimer>
-#include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "ui/controller/segment_parts.h"
 #include "ui/controller/segment_target.h"
-#include "ui/panels/part_fields.h"
+#include "ui/panels/sources.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/curve_spans.h"
 #include "ui/workspace/segment_record.h"
@@ -19,6 +18,7 @@
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 #include "ui/workspace/when_changed.h"
+#include "viewer/recipe/step_kinds.h"
 #include "viewer/scene/visible_range.h"
 #include "viewer/segment/mask.h"
 
@@ -26,14 +26,49 @@ namespace volumen {
 
 namespace {
 
-QDoubleSpinBox* valueField(const char* name, const QString& label) {
-  auto* field = new QDoubleSpinBox;
-  field->setObjectName(QLatin1String(name));
-  field->setAccessibleName(label);
-  field->setRange(-1e9, 1e9);
-  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  field->setMinimumWidth(80);  // the default would leave room for huge numbers
-  return field;
+QDoubleSpinBox* valueField(const QString& name, const QString& label) {
+  return numberField({name, label}, {.low = -1e9, .high = 1e9, .isLive = true});
+}
+
+const StepField& fieldOfConnected(std::string_view name) {
+  return *std::ranges::find(stepKind("connected")->fields, name, &StepField::name);
+}
+
+// Makes the fields of connected components: what becomes of them, the leak guard and the neighbourhood.
+// Limits and words are those of the recipe step "connected".
+std::vector<LayoutPart> partLines(const Source<SegmentOptions>& options) {
+  auto* use = choiceField({QStringLiteral("segmentPartUse"), tr("What becomes of a connected part"),
+                           tr("What a click does. Ctrl+click keeps only the part, Alt+click removes it.")},
+                          {tr("adds it, of the range"), tr("keeps only it"), tr("removes it")}, 6);
+  const ValueRange allowed = fieldOfConnected("leakGuardMm").allowed;
+  auto* guard = numberField({QStringLiteral("segmentLeakGuard"), tr("Leak guard of connected parts"),
+                             tr("Connected parts go through nothing that is thinner than twice this, such as "
+                                "a bridge between bone and "
+                                "table, and lose what is as thin themselves. 0: off.")},
+                            {.low = allowed.low,
+                             .high = allowed.high,
+                             .decimals = 1,
+                             .suffix = tr(" mm"),
+                             .atLow = tr("Off"),
+                             .isLive = true});
+  guard->setSingleStep(0.5);
+  const auto& words = fieldOfConnected("neighbours").words;
+  QStringList texts;
+  for (const char* word : words) texts << QLatin1String(word);
+  auto* neighbours =
+      choiceField({QStringLiteral("segmentPartNeighbours"), tr("Which voxels touch in connected parts"),
+                   tr("Which voxels of a connected part touch: those that share a face (6 neighbours), an "
+                      "edge too (18), a "
+                      "corner too (26).")},
+                  texts);
+  return {lineOf({buttonOf(QStringLiteral("segmentPart")),
+                  {options.bind(use, {}, ordinal(at(&SegmentOptions::partUse))), 1}}),
+          lineOf({tr("Leak guard"),
+                  options.bind(guard, {}, at(&SegmentOptions::leakGuardMm)),
+                  {},
+                  tr("by"),
+                  options.bind(neighbours, {},
+                               among(at(&SegmentOptions::neighbours), {words.begin(), words.end()}))})};
 }
 
 QString endText(double value, int decimals) { return QLocale().toString(value, 'f', decimals); }
@@ -53,69 +88,23 @@ SegmentRange::SegmentRange(SegmentEditing& editing, QWidget* parent)
     : QWidget(parent),
       editing_(editing),
       session_(editing.session()),
-      table_(new QCheckBox),
-      spans_(new QComboBox),
-      low_(valueField("segmentLow", tr("Lowest value"))),
-      high_(valueField("segmentHigh", tr("Highest value"))),
-      make_(new QPushButton(tr("Make segment"))),
-      replace_(new QPushButton(tr("Replace"))),
-      follows_(new QCheckBox(tr("Follows the curve"))),
-      only_(new QCheckBox(tr("Only the segment"))),
-      use_(narrowChoice("segmentPartUse", tr("What becomes of a connected part"))),
-      guard_(leakGuardField()),
-      neighbours_(partNeighboursField()) {
-  makeLayout();
+      table_(flagField({QStringLiteral("segmentTable"), {}})),
+      spans_(choiceField({QStringLiteral("segmentSpans"), tr("Visible value range")}, {}, 12)),
+      low_(valueField(QStringLiteral("segmentLow"), tr("Lowest value"))),
+      high_(valueField(QStringLiteral("segmentHigh"), tr("Highest value"))),
+      make_(buttonOf<QPushButton>(QStringLiteral("segment"), tr("Make segment"), [this] { make(); })),
+      replace_(buttonOf<QPushButton>(QStringLiteral("segmentReplace"), tr("Replace"), [this] { replace(); })),
+      follows_(flagField({QStringLiteral("segmentFollows"), tr("Follows the curve")})),
+      only_(flagField({QStringLiteral("segmentOnly"), tr("Only the segment")})) {
+  std::vector<LayoutPart> parts{lineOf({table_, {spans_, 1}}),
+                                lineOf({tr("From"), {low_, 1}, tr("to"), {high_, 1}}),
+                                lineOf({{make_, 1}, {replace_, 1}}), lineOf({follows_, only_, {}})};
+  std::ranges::move(partLines(optionsSource(editing)), std::back_inserter(parts));
+  parts.push_back({});
+  stack(this, parts, 0, 2);
   connectFields();
   showSpans();
   showSegments();
-}
-
-void SegmentRange::makeLayout() {
-  for (const auto& [widget, name] :
-       std::initializer_list<std::pair<QWidget*, const char*>>{{table_, "segmentTable"},
-                                                               {spans_, "segmentSpans"},
-                                                               {make_, "segment"},
-                                                               {replace_, "segmentReplace"},
-                                                               {follows_, "segmentFollows"},
-                                                               {only_, "segmentOnly"}})
-    widget->setObjectName(QLatin1String(name));
-  spans_->setAccessibleName(tr("Visible value range"));
-  use_->addItems({tr("adds it, of the range"), tr("keeps only it"), tr("removes it")});
-  use_->setToolTip(toolTipOf(tr("What a click does. Ctrl+click keeps only the part, Alt+click removes it.")));
-  spans_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  spans_->setMinimumContentsLength(12);
-  auto* top = new QHBoxLayout;
-  top->addWidget(table_);
-  top->addWidget(spans_, 1);
-  auto* fields = new QHBoxLayout;
-  fields->addWidget(plainLabel(tr("From")));
-  fields->addWidget(low_, 1);
-  fields->addWidget(plainLabel(tr("to")));
-  fields->addWidget(high_, 1);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(make_, 1);
-  buttons->addWidget(replace_, 1);
-  auto* checks = new QHBoxLayout;
-  checks->addWidget(follows_);
-  checks->addWidget(only_);
-  checks->addStretch();
-  auto* part = new QHBoxLayout;
-  part->addWidget(toolButton("segmentPart", "partTool"));
-  part->addWidget(use_, 1);
-  auto* guard = new QHBoxLayout;
-  guard->addWidget(plainLabel(tr("Leak guard")));
-  guard->addWidget(guard_);
-  guard->addStretch();
-  guard->addWidget(plainLabel(tr("by")));
-  guard->addWidget(neighbours_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(2);
-  for (QHBoxLayout* row : {top, fields, buttons, checks, part, guard}) {
-    row->setSpacing(4);
-    column->addLayout(row);
-  }
-  column->addStretch();
 }
 
 void SegmentRange::connectFields() {
@@ -137,17 +126,10 @@ void SegmentRange::connectFields() {
       });
     });
   }
-  bindOption(use_, editing_, &SegmentOptions::partUse);
-  bindOption(guard_, editing_, &SegmentOptions::leakGuardMm);
-  connect(neighbours_, &QComboBox::currentTextChanged, this, [this](const QString& word) {
-    editing_.choose([&word](SegmentOptions& o) { o.neighbours = word.toStdString(); });
-  });
   connect(&editing_, &SegmentEditing::optionsChanged, this, &SegmentRange::takeRange);
   connect(follows_, &QCheckBox::clicked, this, &SegmentRange::bind);
   connect(only_, &QCheckBox::clicked, this, &SegmentRange::showOnly);
   connect(only_, &QCheckBox::toggled, this, &SegmentRange::tellPreview);
-  connect(make_, &QPushButton::clicked, this, &SegmentRange::make);
-  connect(replace_, &QPushButton::clicked, this, &SegmentRange::replace);
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (before.series != after.series) setPreviewing(false), tellPreview();
     // Keeps typed numbers if only the table removal changed.

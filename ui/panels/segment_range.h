@@ -1,13 +1,15 @@
 #pragma once
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-#include <QPushButton>
+#include <QWidget>
 #include <optional>
 
 #include "ui/controller/segment_editing.h"
 #include "ui/controller/slice_image.h"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QPushButton;
 
 namespace volumen {
 
@@ -36,7 +38,6 @@ class SegmentRange : public QWidget {
   void hideEvent(QHideEvent*) override { showOnAxis(); }
 
  private:
-  void makeLayout();
   void connectFields();
   void showSpans();
   ValueRange typed() const;
@@ -62,9 +63,6 @@ class SegmentRange : public QWidget {
   QDoubleSpinBox *low_, *high_;
   QPushButton *make_, *replace_;
   QCheckBox *follows_, *only_;
-  QComboBox* use_;
-  QDoubleSpinBox* guard_;
-  QComboBox* neighbours_;
   SeriesKey offeredFor_;             // the series of the fields
   double factor_ = 1;                // from values to numbers in the fields
   bool isPreviewing_ = false;        // true while the typed range is previewed

@@ -1,10 +1,9 @@
 #include "ui/panels/segment_steps_page.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
-#include <QVBoxLayout>
 
 #include "ui/controller/segment_target.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
 
@@ -31,23 +30,25 @@ QString usualText(const StepKind& kind, const std::map<std::string, StepValue>& 
 SegmentStepsPage::SegmentStepsPage(SegmentEditing& editing, QWidget* parent)
     : QWidget(parent),
       editing_(editing),
-      kinds_(new QComboBox),
+      kinds_(choiceField({QStringLiteral("segmentStepKind"), tr("Step on the current segment")})),
       fields_(new StepFields(editing.session())),
-      apply_(new QPushButton(tr("Apply"))) {
-  kinds_->setObjectName(QStringLiteral("segmentStepKind"));
-  kinds_->setAccessibleName(tr("Step on the current segment"));
-  apply_->setObjectName(QStringLiteral("segmentApply"));
+      apply_(
+          buttonOf<QPushButton>(QStringLiteral("segmentApply"), tr("Apply"), [this] { apply(chosen()); })) {
   fillKinds();
+  auto* grid = new QGridLayout;
+  grid->setSpacing(2);
+  constexpr int columns = 3;
   for (const char* name : usualSteps) {
-    auto* button = new QToolButton;
+    const StepKind& kind = offeredStep(name);
+    auto* button =
+        buttonOf(QStringLiteral("segmentStep-") + QLatin1String(name), {}, [this, &kind] { apply(kind); });
     button->setSizePolicy(QSizePolicy::MinimumExpanding, QSizePolicy::Fixed);
-    button->setObjectName(QStringLiteral("segmentStep-") + QLatin1String(name));
-    usual_.push_back({&offeredStep(name), button});
-    connect(button, &QToolButton::clicked, this, [this, kind = usual_.back().kind] { apply(*kind); });
+    const int n = int(usual_.size());
+    grid->addWidget(button, n / columns, n % columns);
+    usual_.push_back({&kind, button});
   }
-  makeLayout();
+  stack(this, {grid, lineOf({{kinds_, 1}, apply_}), fields_, {}});
   connect(kinds_, &QComboBox::currentIndexChanged, this, &SegmentStepsPage::showSegments);
-  connect(apply_, &QPushButton::clicked, this, [this] { apply(chosen()); });
   connect(fields_, &StepFields::changed, this, &SegmentStepsPage::showWhatCanBeDone);
   connect(&editing_.session(), &Session::preferencesChanged, this,
           &SegmentStepsPage::showSegments);  // to update units
@@ -65,25 +66,6 @@ void SegmentStepsPage::fillKinds() {
     kinds_->setItemData(kinds_->count() - 1, toolTipOf(tr("The segment becomes: %1.").arg(tr(kind.says))),
                         Qt::ToolTipRole);
   }
-}
-
-void SegmentStepsPage::makeLayout() {
-  auto* grid = new QGridLayout;
-  grid->setSpacing(2);
-  constexpr int columns = 3;
-  for (int n = 0; n < int(usual_.size()); ++n)
-    grid->addWidget(usual_[std::size_t(n)].button, n / columns, n % columns);
-  auto* any = new QHBoxLayout;
-  any->setSpacing(4);
-  any->addWidget(kinds_, 1);
-  any->addWidget(apply_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
-  column->addLayout(grid);
-  column->addLayout(any);
-  column->addWidget(fields_);
-  column->addStretch();
 }
 
 const StepKind& SegmentStepsPage::chosen() const {

@@ -21,7 +21,6 @@ class SegmentStepsPage : public QWidget {
 
  private:
   void fillKinds();
-  void makeLayout();
   const StepKind& chosen() const;
   void showWhatCanBeDone();
   void apply(const StepKind& kind);

@@ -1,30 +1,25 @@
 #include "ui/panels/segment_tissue.h"
 
-#include <QHBoxLayout>
 #include <QSignalBlocker>
 
 #include "ui/controller/segment_target.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/segments.h"
 
 namespace volumen {
 
 SegmentTissue::SegmentTissue(Session& session, QWidget* parent)
-    : QWidget(parent), session_(session), where_(new QComboBox), margin_(new QDoubleSpinBox) {
-  where_->setObjectName(QStringLiteral("segmentTissue"));
-  where_->setAccessibleName(tr("Where the volume is shown in 3D"));
-  where_->addItems({tr("all of it"), tr("inside segments"), tr("without segments")});
-  where_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  where_->setMinimumContentsLength(6);
-  margin_->setObjectName(QStringLiteral("segmentTissueMargin"));
-  margin_->setAccessibleName(tr("Margin of the segments"));
-  margin_->setRange(0, mostTissueMarginMm);
-  margin_->setDecimals(1);
-  margin_->setPrefix(tr("+ "));
-  margin_->setSuffix(tr(" mm"));
-  margin_->setKeyboardTracking(false);
-  margin_->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  makeLayout();
+    : QWidget(parent),
+      session_(session),
+      where_(choiceField({QStringLiteral("segmentTissue"), tr("Where the volume is shown in 3D")},
+                         {tr("all of it"), tr("inside segments"), tr("without segments")}, 6)),
+      margin_(numberField(
+          {QStringLiteral("segmentTissueMargin"), tr("Margin of the segments")},
+          {.low = 0, .high = mostTissueMarginMm, .decimals = 1, .suffix = tr(" mm"), .prefix = tr("+ ")})) {
+  auto* row = lineOf({tr("Volume in 3D"), {where_, 1}, margin_});
+  row->setContentsMargins(0, 0, 0, 0);
+  setLayout(row);
   connect(where_, &QComboBox::activated, this, [this](int n) {
     const QString texts[] = {tr("All of the volume in 3D"), tr("Volume only inside segments"),
                              tr("Volume without segments")};
@@ -37,15 +32,6 @@ SegmentTissue::SegmentTissue(Session& session, QWidget* parent)
   });
   connect(margin_, &QDoubleSpinBox::editingFinished, this, [this] { session_.endGesture(); });
   showSegments();
-}
-
-void SegmentTissue::makeLayout() {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
-  row->addWidget(plainLabel(tr("Volume in 3D")));
-  row->addWidget(where_, 1);
-  row->addWidget(margin_);
 }
 
 void SegmentTissue::change(const QString& text, const TissueShown& tissue, const QString& mergeKey) {

@@ -17,7 +17,6 @@ class SegmentTissue : public QWidget {
   void showSegments();
 
  private:
-  void makeLayout();
   void change(const QString& text, const TissueShown& tissue, const QString& mergeKey);
 
   Session& session_;

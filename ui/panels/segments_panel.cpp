@@ -2,14 +2,12 @@
 
 #include <QAction>
 #include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QLocale>
 #include <QMenu>
-#include <QVBoxLayout>
 
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_target.h"
-#include "ui/panels/part_fields.h"
+#include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/segments.h"
 #include "ui/workspace/text.h"
@@ -23,27 +21,19 @@ SegmentsPanel::SegmentsPanel(SegmentEditing& editing, const SegmentNumbers& numb
       session_(editing.session()),
       numbers_(numbers),
       list_(new SegmentList(editing, numbers)),
-      result_(plainLabel()),
-      in3d_(new QCheckBox(tr("In 3D"))),
+      result_(wrappedLabel(QStringLiteral("segmentResult"))),
+      in3d_(flagField({QStringLiteral("segmentsIn3d"), tr("In 3D")})),
       tissue_(new SegmentTissue(session_)),
-      export_(new QPushButton(tr("Export..."))),
-      numbersButton_(new QToolButton),
-      recipes_(new QToolButton),
+      export_(buttonOf<QPushButton>(QStringLiteral("segmentSave"), tr("Export..."))),
+      numbersButton_(buttonOf(QStringLiteral("segmentNumbersButton"), tr("Numbers..."),
+                              [this] { Q_EMIT numbersWanted(); })),
+      recipes_(buttonOf(QStringLiteral("segmentRecipes"), tr("Recipe"))),
       range_(new SegmentRange(editing)),
       paint_(new SegmentPaintPage(editing)),
       steps_(new SegmentStepsPage(editing)),
       growth_(new SegmentGrowPage(editing)),
       pages_(new QStackedWidget) {
-  result_->setObjectName(QStringLiteral("segmentResult"));
-  result_->setWordWrap(true);
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  in3d_->setObjectName(QStringLiteral("segmentsIn3d"));
-  export_->setObjectName(QStringLiteral("segmentSave"));
-  numbersButton_->setObjectName(QStringLiteral("segmentNumbersButton"));
-  numbersButton_->setText(tr("Numbers..."));
-  connect(numbersButton_, &QToolButton::clicked, this, &SegmentsPanel::numbersWanted);
-  recipes_->setObjectName(QStringLiteral("segmentRecipes"));
-  recipes_->setText(tr("Recipe"));
   recipes_->setPopupMode(QToolButton::InstantPopup);
   recipes_->setMenu(new QMenu(recipes_));
   makeLayout();
@@ -72,14 +62,11 @@ SegmentsPanel::SegmentsPanel(SegmentEditing& editing, const SegmentNumbers& numb
 }
 
 QToolButton* SegmentsPanel::pageButton(const char* name, const QString& text, QWidget* page) {
-  auto* button = new QToolButton;
-  button->setObjectName(QLatin1String(name));
-  button->setText(text);
+  auto* button = buttonOf(QLatin1String(name), text, [this, page] { showPage(page); });
   button->setCheckable(true);
   button->setAutoRaise(true);  // as in a tool bar, only the chosen one has a frame
   page->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Ignored);
   pages_->addWidget(page);
-  connect(button, &QToolButton::clicked, this, [this, page] { showPage(page); });
   return button;
 }
 
@@ -93,33 +80,26 @@ void SegmentsPanel::showPage(QWidget* page) {
 
 void SegmentsPanel::makeLayout() {
   auto* group = new QButtonGroup(this);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
+  std::vector<LayoutPart> row;
   for (QToolButton* button :
        {pageButton("segmentFromCurve", tr("From the curve"), range_),
         pageButton("segmentPaint", tr("Paint"), paint_), pageButton("segmentGrowing", tr("Grow"), growth_),
         pageButton("segmentChange", tr("Change"), steps_)}) {
     group->addButton(button);
-    row->addWidget(button);
+    row.push_back(button);
   }
   group->buttons().front()->setChecked(true);
   showPage(range_);
-  row->addStretch();
-  auto* all = new QHBoxLayout;
-  all->setSpacing(4);
-  for (QWidget* widget : std::initializer_list<QWidget*>{in3d_, recipes_, numbersButton_, export_})
-    all->addWidget(widget);
-  all->addStretch();
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(4, 4, 4, 4);
-  column->setSpacing(2);
-  column->addWidget(list_, 1);
-  column->addWidget(result_);
-  column->addLayout(all);
-  column->addLayout(row);
-  column->addWidget(pages_);
-  column->addStretch();
-  column->addWidget(tissue_);
+  row.push_back({});
+  stack(this,
+        {{list_, 1},
+         result_,
+         lineOf({in3d_, recipes_, numbersButton_, export_, {}}),
+         lineOf(row),
+         pages_,
+         {},
+         tissue_},
+        4, 2);
 }
 
 // Lists one-click recipes for the series in view.
@@ -143,8 +123,19 @@ void SegmentsPanel::fillRecipes() {
 }
 
 void SegmentsPanel::setToolActions(const std::function<QAction*(const QString& name)>& find) {
-  for (QToolButton* button : findChildren<QToolButton*>())
-    if (const QString name = actionOf(button); !name.isEmpty()) button->setDefaultAction(find(name));
+  const std::pair<QString, QString> table[] = {
+      {QStringLiteral("segmentPart"), QStringLiteral("partTool")},
+      {QStringLiteral("segmentBrush"), QStringLiteral("paintTool")},
+      {QStringLiteral("segmentOutline"), QStringLiteral("outlineTool")},
+      {QStringLiteral("segmentCut"), QStringLiteral("segmentScissorsTool")},
+      {QStringLiteral("segmentLesion"), QStringLiteral("lesionTool")},
+      {QStringLiteral("segmentTrace"), QStringLiteral("levelTraceTool")},
+      {QStringLiteral("segmentSmartBrush"), QStringLiteral("smartBrushTool")}};
+  for (const auto& [name, action] : table) {
+    auto* button = findChild<QToolButton*>(name);
+    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+    button->setDefaultAction(find(action));
+  }
 }
 
 void SegmentsPanel::setExportAction(QAction* action) {

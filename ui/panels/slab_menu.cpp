@@ -1,14 +1,11 @@
 #include "ui/panels/slab_menu.h"
 
 #include <QActionGroup>
-#include <QDoubleSpinBox>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QWidgetAction>
 
 #include "ui/panels/flat_menus.h"
 #include "ui/tools/tool.h"
-#include "ui/widgets/plain_text.h"
+#include "ui/widgets/fields.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
@@ -16,26 +13,19 @@ namespace volumen {
 
 namespace {
 
-constexpr double firstSlabMm = 10;
+constexpr double firstSlabMm = 10, thickestMm = 500;
 
 void addThickness(QMenu* menu, Session& session, ViewId view) {
-  auto* field = new QDoubleSpinBox;
-  field->setObjectName(QStringLiteral("slabThickness"));
-  field->setAccessibleName(tr("Thickness of the slab"));
-  field->setRange(0, thickestMm);
-  field->setDecimals(1);
-  field->setSuffix(tr(" mm"));
-  field->setKeyboardTracking(false);
+  auto* field = thicknessField(QStringLiteral("slabThickness"));
   field->setValue(flatLookOf(session.workspace().view(view)).slabMm);
   QObject::connect(field, &QDoubleSpinBox::valueChanged, menu, [&session, view](double mm) {
     editFlat(session, view, tr("Slab"), [mm](FlatLook& look) { look.slabMm = mm; });
   });
   QObject::connect(field, &QDoubleSpinBox::editingFinished, menu, [&session] { session.endGesture(); });
   auto* row = new QWidget;
-  auto* line = new QHBoxLayout(row);
+  auto* line = lineOf({tr("Thickness"), {field, 1}}, -1);
   line->setContentsMargins(12, 4, 12, 4);
-  line->addWidget(plainLabel(tr("Thickness")));
-  line->addWidget(field, 1);
+  row->setLayout(line);
   auto* action = new QWidgetAction(menu);
   action->setDefaultWidget(row);
   menu->addAction(action);
@@ -50,8 +40,11 @@ void addModes(QMenu* menu, Session& session, ViewId view) {
     action->setCheckable(true);
     action->setChecked(look.slabMm > 0 && look.slabMode == row.mode);
     group->addAction(action);
-    QObject::connect(action, &QAction::triggered, menu,
-                     [&session, view, mode = row.mode] { chooseSlabMode(session, view, mode); });
+    QObject::connect(action, &QAction::triggered, menu, [&session, view, mode = row.mode] {
+      session.endGesture();
+      editFlat(session, view, tr("Slab"), [mode](FlatLook& changed) { setSlabMode(changed, mode); });
+      session.endGesture();
+    });
   }
 }
 
@@ -76,20 +69,16 @@ std::vector<SlabModeRow> slabModes() {
           {SlabMode::mean, "slabMean", tr("Mean")}};
 }
 
-void chooseSlabMode(Session& session, ViewId view, SlabMode mode) {
-  session.endGesture();
-  editFlat(session, view, tr("Slab"), [mode](FlatLook& look) {
-    look.slabMode = mode;
-    if (look.slabMm == 0) look.slabMm = firstSlabMm;
-  });
-  session.endGesture();
+void setSlabMode(FlatLook& look, SlabMode mode) {
+  look.slabMode = mode;
+  if (look.slabMm == 0) look.slabMm = firstSlabMm;
 }
 
-void setInterpolated(Session& session, bool on) {
-  const ViewId view = flatViewInFocus(session.workspace());
-  session.endGesture();
-  session.change(tr("Interpolation"),
-                 withFlatLooks(session.workspace(), view, [on](FlatLook& look) { look.nearest = !on; }));
+QDoubleSpinBox* thicknessField(const QString& name) {
+  auto* field = numberField({name, tr("Thickness of the slab")},
+                            {.low = 0, .high = thickestMm, .decimals = 1, .suffix = tr(" mm")});
+  field->setButtonSymbols(QAbstractSpinBox::UpDownArrows);
+  return field;
 }
 
 QString interpolationText(ViewKind kind) {
@@ -114,8 +103,12 @@ QAction* makeInterpolationAction(Session& session, QObject* parent) {
     action->setChecked(!flatLookOf(view).nearest);
   };
   whenChanged(session, action, show, showsOther);
-  QObject::connect(action, &QAction::triggered, action,
-                   [&session](bool on) { setInterpolated(session, on); });
+  QObject::connect(action, &QAction::triggered, action, [&session](bool on) {
+    const ViewId view = flatViewInFocus(session.workspace());
+    session.endGesture();
+    session.change(tr("Interpolation"),
+                   withFlatLooks(session.workspace(), view, [on](FlatLook& look) { look.nearest = !on; }));
+  });
   show();
   return action;
 }

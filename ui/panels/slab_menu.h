@@ -4,6 +4,8 @@
 
 #include "ui/workspace/session.h"
 
+class QDoubleSpinBox;
+
 namespace volumen {
 
 /// A slab mode as menus name it.
@@ -14,12 +16,10 @@ struct SlabModeRow {
 };
 /// Returns all slab modes.
 std::vector<SlabModeRow> slabModes();
-/// Largest slab thickness, mm.
-inline constexpr double thickestMm = 500;
-/// Sets the slab mode in one undo step. Makes a slab of default thickness if there is none.
-void chooseSlabMode(Session& session, ViewId view, SlabMode mode);
-/// Sets interpolation of the focused flat view, in a group of all its planes. Makes one undo step.
-void setInterpolated(Session& session, bool on);
+/// Makes a field for a slab's thickness in mm.
+QDoubleSpinBox* thicknessField(const QString& name);
+/// Sets the slab mode. Makes a slab of default thickness if there is none.
+void setSlabMode(FlatLook& look, SlabMode mode);
 
 /// Makes the menu for slab thickness and mode of the focused flat view.
 QMenu* makeSlabMenu(Session& session, QWidget* parent);

@@ -1,13 +1,10 @@
 #include "ui/panels/snapshot_panel.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
-#include <QVBoxLayout>
 
 #include "ui/widgets/colour_button.h"
-#include "ui/widgets/plain_text.h"
+#include "ui/widgets/fields.h"
 #include "ui/workspace/text.h"
 
 namespace volumen {
@@ -18,124 +15,80 @@ constexpr int largestEdge = 16384;  // pixels
 
 enum BackgroundChoice { asInView, black, white, otherColour, transparent };
 
-template <class Widget>
-Widget* named(Widget* widget, const char* name, const QString& label) {
-  widget->setObjectName(QLatin1String(name));
-  widget->setAccessibleName(label);
-  return widget;
-}
-
 }  // namespace
 
-SnapshotPanel::SnapshotPanel(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(4);
-  addSize(column);
-  addKind(column);
-  addBackground(column);
-  addAnnotations(column);
-  addButtons(column);
-  column->addStretch();
-  setViewSize(viewSize_);
-}
-
-void SnapshotPanel::addSize(QVBoxLayout* column) {
-  width_ = named(new QSpinBox, "snapshotWidth", tr("Width"));
-  height_ = named(new QSpinBox, "snapshotHeight", tr("Height"));
-  for (QSpinBox* edge : {width_, height_}) {
-    edge->setRange(1, largestEdge);
-    edge->setSuffix(tr(" px"));
-    connect(edge, &QSpinBox::valueChanged, this, [this] { sizeChosen_ = true; });
-  }
-  auto* match = named(new QPushButton(tr("Match view size")), "snapshotMatch", tr("Match view size"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(width_, 1);
-  row->addWidget(plainLabel(QStringLiteral("x")));
-  row->addWidget(height_, 1);
-  column->addLayout(row);
-  column->addWidget(match);
-  connect(match, &QPushButton::clicked, this, [this] {
-    sizeChosen_ = false;
-    setViewSize(viewSize_);
-  });
-}
-
-void SnapshotPanel::addKind(QVBoxLayout* column) {
-  quality_ = named(new QComboBox, "snapshotQuality", tr("Quality"));
-  quality_->addItems({tr("Standard quality"), tr("High quality"), tr("Exact")});
+SnapshotPanel::SnapshotPanel(QWidget* parent)
+    : QWidget(parent),
+      width_(wholeField({QStringLiteral("snapshotWidth"), tr("Width")}, 1, largestEdge, tr(" px"))),
+      height_(wholeField({QStringLiteral("snapshotHeight"), tr("Height")}, 1, largestEdge, tr(" px"))),
+      pictures_(wholeField({QStringLiteral("turntablePictures"), tr("Pictures of the turntable")}, 2, 999,
+                           tr(" pictures"))),
+      quality_(choiceField({QStringLiteral("snapshotQuality"), tr("Quality")},
+                           {tr("Standard quality"), tr("High quality"), tr("Exact")})),
+      format_(choiceField({QStringLiteral("snapshotFormat"), tr("File format")},
+                          {QStringLiteral("PNG"), QStringLiteral("JPEG")})),
+      background_(
+          choiceField({QStringLiteral("snapshotBackground"), tr("Background")},
+                      {tr("Background as in the view"), tr("Black background"), tr("White background"),
+                       tr("Background of a colour"), tr("Transparent background (PNG)")})),
+      colour_(new ColourButton(tr("Background colour"))) {
   quality_->setCurrentIndex(1);
-  format_ = named(new QComboBox, "snapshotFormat", tr("File format"));
-  format_->addItems({QStringLiteral("PNG"), QStringLiteral("JPEG")});
-  auto* row = new QHBoxLayout;
-  row->addWidget(quality_, 1);
-  row->addWidget(format_);
-  column->addLayout(row);
-}
-
-void SnapshotPanel::addBackground(QVBoxLayout* column) {
-  background_ = named(new QComboBox, "snapshotBackground", tr("Background"));
-  background_->addItems({tr("Background as in the view"), tr("Black background"), tr("White background"),
-                         tr("Background of a colour"), tr("Transparent background (PNG)")});
-  colour_ = new ColourButton(tr("Background colour"));
+  pictures_->setValue(36);
   colour_->setObjectName(QStringLiteral("snapshotColour"));
   colour_->setColour({0.5, 0.5, 0.5});
   colour_->hide();
+  for (QSpinBox* edge : {width_, height_})
+    connect(edge, &QSpinBox::valueChanged, this, [this] { sizeChosen_ = true; });
   connect(background_, &QComboBox::currentIndexChanged, this, [this](int choice) {
     colour_->setVisible(choice == otherColour);
     if (choice == transparent) format_->setCurrentIndex(0);
     format_->setEnabled(choice != transparent);
   });
-  auto* row = new QHBoxLayout;
-  row->addWidget(background_, 1);
-  row->addWidget(colour_);
-  column->addLayout(row);
-}
-
-void SnapshotPanel::addAnnotations(QVBoxLayout* column) {
-  const auto box = [](const char* name, const QString& text, const QString& tip) {
-    auto* made = new QCheckBox(text);
-    made->setObjectName(QLatin1String(name));
-    made->setToolTip(toolTipOf(tip));
+  const auto button = [](const char* name, const QString& text, const QString& label, const auto& clicked) {
+    auto* made = buttonOf<QPushButton>(QLatin1String(name), text, clicked);
+    made->setAccessibleName(label);
     return made;
   };
-  letters_ = box("snapshotLetters", tr("Orientation"), tr("Letters of the patient's sides at the edges"));
-  scaleBar_ =
-      box("snapshotScaleBar", tr("Scale bar"), tr("A length in mm or cm; in parallel projection only"));
-  patient_ = box("snapshotPatient", tr("Patient and series"), tr("Name, ID and series, top left"));
-  warnings_ = box("snapshotWarnings", tr("Warnings"),
-                  tr("What is not as it seems, such as interpolated slices; it always stands in the "
-                     "file's text"));
+  auto* match = button("snapshotMatch", tr("Match view size"), tr("Match view size"), [this] {
+    sizeChosen_ = false;
+    setViewSize(viewSize_);
+  });
+  auto* save =
+      button("snapshotSave", tr("Save..."), tr("Save the snapshot"), [this] { Q_EMIT saveWanted(); });
+  auto* copyIt = button("snapshotCopy", tr("Copy"), tr("Copy the snapshot"), [this] { Q_EMIT copyWanted(); });
+  auto* turntable = button("turntableSave", tr("Save turntable..."), tr("Save the turntable"),
+                           [this] { Q_EMIT turntableWanted(); });
+  turntable->setToolTip(tr("Pictures of a full turn about the view's vertical, into a folder"));
+  stack(this,
+        {lineOf({{width_, 1}, QStringLiteral("x"), {height_, 1}}),
+         match,
+         lineOf({{quality_, 1}, format_}),
+         lineOf({{background_, 1}, colour_}),
+         annotations(),
+         lineOf({{save, 1}, {copyIt, 1}}),
+         lineOf({{pictures_, 1}, {turntable, 1}}),
+         {}},
+        8);
+  setViewSize(viewSize_);
+}
+
+QLayout* SnapshotPanel::annotations() {
+  letters_ = flagField({QStringLiteral("snapshotLetters"), tr("Orientation"),
+                        tr("Letters of the patient's sides at the edges")});
+  scaleBar_ = flagField({QStringLiteral("snapshotScaleBar"), tr("Scale bar"),
+                         tr("A length in mm or cm; in parallel projection only")});
+  patient_ = flagField(
+      {QStringLiteral("snapshotPatient"), tr("Patient and series"), tr("Name, ID and series, top left")});
+  warnings_ = flagField(
+      {QStringLiteral("snapshotWarnings"), tr("Warnings"),
+       tr("What is not as it seems, such as interpolated slices; it always stands in the file's text")});
   warnings_->setChecked(true);
   auto* grid = new QGridLayout;
   grid->addWidget(letters_, 0, 0);
   grid->addWidget(scaleBar_, 0, 1);
   grid->addWidget(patient_, 1, 0);
   grid->addWidget(warnings_, 1, 1);
-  column->addLayout(grid);
-}
-
-void SnapshotPanel::addButtons(QVBoxLayout* column) {
-  auto* save = named(new QPushButton(tr("Save...")), "snapshotSave", tr("Save the snapshot"));
-  auto* copyIt = named(new QPushButton(tr("Copy")), "snapshotCopy", tr("Copy the snapshot"));
-  auto* row = new QHBoxLayout;
-  row->addWidget(save, 1);
-  row->addWidget(copyIt, 1);
-  column->addLayout(row);
-  pictures_ = named(new QSpinBox, "turntablePictures", tr("Pictures of the turntable"));
-  pictures_->setRange(2, 999);
-  pictures_->setValue(36);
-  pictures_->setSuffix(tr(" pictures"));
-  auto* turntable =
-      named(new QPushButton(tr("Save turntable...")), "turntableSave", tr("Save the turntable"));
-  turntable->setToolTip(tr("Pictures of a full turn about the view's vertical, into a folder"));
-  auto* last = new QHBoxLayout;
-  last->addWidget(pictures_, 1);
-  last->addWidget(turntable, 1);
-  column->addLayout(last);
-  connect(save, &QPushButton::clicked, this, &SnapshotPanel::saveWanted);
-  connect(copyIt, &QPushButton::clicked, this, &SnapshotPanel::copyWanted);
-  connect(turntable, &QPushButton::clicked, this, &SnapshotPanel::turntableWanted);
+  return grid;
 }
 
 void SnapshotPanel::setViewSize(QSize pixels) {

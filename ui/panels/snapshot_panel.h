@@ -34,11 +34,7 @@ class SnapshotPanel : public QWidget {
   void turntableWanted();
 
  private:
-  void addSize(QVBoxLayout* column);
-  void addKind(QVBoxLayout* column);
-  void addBackground(QVBoxLayout* column);
-  void addAnnotations(QVBoxLayout* column);
-  void addButtons(QVBoxLayout* column);
+  QLayout* annotations();
   std::optional<Background> background() const;
 
   QSpinBox *width_, *height_, *pictures_;

@@ -1,11 +1,9 @@
 #include "ui/panels/steps_dialog.h"
 
 #include <QFontDatabase>
-#include <QHBoxLayout>
-#include <QVBoxLayout>
 
 #include "ui/controller/segment_target.h"
-#include "ui/widgets/plain_text.h"
+#include "ui/widgets/fields.h"
 #include "ui/workspace/segment_maps.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
@@ -16,30 +14,17 @@ StepsDialog::StepsDialog(Session& session, QWidget* parent)
     : QDialog(parent),
       session_(session),
       text_(new QPlainTextEdit),
-      note_(plainLabel()),
-      run_(new QPushButton(tr("Run again"))),
-      reset_(new QPushButton(tr("Discard changes"))) {
+      note_(wrappedLabel(QStringLiteral("stepsNote"))),
+      run_(buttonOf<QPushButton>(QStringLiteral("stepsRun"), tr("Run again"), [this] { run(); })) {
   setObjectName(QStringLiteral("stepsDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
   resize(560, 600);
   text_->setObjectName(QStringLiteral("stepsText"));
   text_->setAccessibleName(tr("Steps"));
   text_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
-  note_->setObjectName(QStringLiteral("stepsNote"));
-  note_->setWordWrap(true);
-  run_->setObjectName(QStringLiteral("stepsRun"));
-  reset_->setObjectName(QStringLiteral("stepsReset"));
-  auto* buttons = new QHBoxLayout;
-  buttons->addStretch();
-  buttons->addWidget(reset_);
-  buttons->addWidget(run_);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->addWidget(text_, 1);
-  column->addWidget(note_);
-  column->addLayout(buttons);
-  connect(run_, &QPushButton::clicked, this, &StepsDialog::run);
-  connect(reset_, &QPushButton::clicked, this, &StepsDialog::showSteps);
+  auto* reset =
+      buttonOf<QPushButton>(QStringLiteral("stepsReset"), tr("Discard changes"), [this] { showSteps(); });
+  stack(this, {{text_, 1}, note_, lineOf({{}, reset, run_}, -1)}, 8, -1);
   connect(text_, &QPlainTextEdit::textChanged, this, &StepsDialog::showProblem);
   const auto follow = [this] {
     if (!text_->document()->isModified()) showSteps();

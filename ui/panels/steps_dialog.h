@@ -34,7 +34,7 @@ class StepsDialog : public QDialog {
   Session& session_;
   QPlainTextEdit* text_;
   QLabel* note_;
-  QPushButton *run_, *reset_;
+  QPushButton* run_;
   int map_ = 0;  // number of the map whose steps are shown
   QString ran_;  // the text last run
 };

@@ -1,19 +1,15 @@
 #include "ui/panels/study_browser.h"
 
-#include <QComboBox>
 #include <QDragEnterEvent>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
-#include <QPushButton>
 #include <QScrollBar>
 #include <QTreeView>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "ui/panels/series_strip.h"
 #include "ui/panels/study_columns.h"
-#include "ui/widgets/plain_text.h"
+#include "ui/widgets/fields.h"
 #include "ui/workspace/dropped_files.h"
 
 namespace volumen {
@@ -33,28 +29,23 @@ StudyBrowser::StudyBrowser(StudySources& sources, QWidget* parent)
     : QWidget(parent),
       sources_(sources),
       model_(new StudyModel(this)),
-      sourceBox_(new QComboBox),
+      sourceBox_(choiceField({QStringLiteral("browserSource"), tr("Where studies are listed from")})),
       search_(new QLineEdit),
-      import_(new QPushButton(tr("Import folder..."))),
+      import_(buttonOf<QPushButton>(QStringLiteral("browserImport"), tr("Import folder..."),
+                                    [this] { Q_EMIT importRequested(); })),
       tree_(new QTreeView),
       strip_(new SeriesStrip),
-      notice_(plainLabel()),
+      notice_(wrappedLabel(QStringLiteral("browserNotice"))),
       removedBar_(new QFrame),
-      removedText_(plainLabel()),
-      undo_(new QPushButton(tr("Undo"))) {
+      removedText_(wrappedLabel(QStringLiteral("removedText"))),
+      undo_(buttonOf<QPushButton>(QStringLiteral("undoRemove"), tr("Undo"))) {
   setObjectName(QStringLiteral("studyBrowser"));
   setAcceptDrops(true);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 8, 8, 8);
-  column->setSpacing(6);
+  notice_->hide();
   makeSourceBox();
-  makeSearchRow();
-  makeNotice();
   makeTree();
   makeRemovedBar();
-  column->addWidget(tree_, 1);
-  column->addWidget(strip_);
-  column->addWidget(removedBar_);
+  stack(this, {searchRow(), notice_, {tree_, 1}, strip_, removedBar_}, 8, 6);
   for (QWidget* watched :
        {static_cast<QWidget*>(search_), static_cast<QWidget*>(tree_), static_cast<QWidget*>(strip_)})
     watched->installEventFilter(this);

@@ -60,10 +60,9 @@ class StudyBrowser : public QWidget {
     int scrolled = 0;
   };
 
-  void makeSearchRow();
+  QLayout* searchRow();
   void makeTree();
   void makeRemovedBar();
-  void makeNotice();
   void makeSourceBox();
   void listen();
   void showSource();

@@ -1,53 +1,29 @@
-#include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
-#include <QPushButton>
-#include <QToolButton>
 #include <QTreeView>
-#include <QVBoxLayout>
 
 #include "ui/panels/series_strip.h"
 #include "ui/panels/study_browser.h"
 #include "ui/panels/study_columns.h"
+#include "ui/widgets/fields.h"
 
 namespace volumen {
 
 void StudyBrowser::makeSourceBox() {
-  sourceBox_->setObjectName(QStringLiteral("browserSource"));
-  sourceBox_->setAccessibleName(tr("Where studies are listed from"));
   for (const auto& source : sources_.all()) sourceBox_->addItem(source->name());
   if (sources_.all().size() < 2) sourceBox_->hide();
   connect(sourceBox_, &QComboBox::currentIndexChanged, this,
           [this](int n) { sources_.choose(std::size_t(n)); });
 }
 
-void StudyBrowser::makeSearchRow() {
+QLayout* StudyBrowser::searchRow() {
   search_->setObjectName(QStringLiteral("browserSearch"));
   search_->setPlaceholderText(tr("Search by name, ID, date, institution, modality or description"));
   search_->setAccessibleName(tr("Search all studies"));
   search_->setClearButtonEnabled(true);
-  import_->setObjectName(QStringLiteral("browserImport"));
-  auto* hide = new QToolButton;
-  hide->setObjectName(QStringLiteral("browserHide"));
-  hide->setText(tr("Hide"));
+  auto* hide = buttonOf(QStringLiteral("browserHide"), tr("Hide"), [this] { Q_EMIT hideRequested(); });
   hide->setToolTip(tr("Hide the study list (Ctrl+B)"));
-  connect(import_, &QPushButton::clicked, this, &StudyBrowser::importRequested);
-  connect(hide, &QToolButton::clicked, this, &StudyBrowser::hideRequested);
-  auto* row = new QHBoxLayout;
-  row->addWidget(sourceBox_);
-  row->addWidget(search_, 1);
-  row->addWidget(import_);
-  row->addWidget(hide);
-  static_cast<QVBoxLayout*>(layout())->addLayout(row);
-}
-
-void StudyBrowser::makeNotice() {
-  notice_->setObjectName(QStringLiteral("browserNotice"));
-  notice_->setWordWrap(true);
-  notice_->hide();
-  layout()->addWidget(notice_);
+  return lineOf({sourceBox_, {search_, 1}, import_, hide}, -1);
 }
 
 void StudyBrowser::makeTree() {
@@ -86,19 +62,11 @@ void StudyBrowser::makeTree() {
 
 void StudyBrowser::makeRemovedBar() {
   removedBar_->setObjectName(QStringLiteral("removedBar"));
-  removedText_->setObjectName(QStringLiteral("removedText"));
-  removedText_->setWordWrap(true);
-  undo_->setObjectName(QStringLiteral("undoRemove"));
-  auto* close = new QToolButton;
-  close->setObjectName(QStringLiteral("removedClose"));
-  close->setText(tr("Close"));
-  auto* row = new QHBoxLayout(removedBar_);
+  auto* close = buttonOf(QStringLiteral("removedClose"), tr("Close"), [this] { removedBar_->hide(); });
+  auto* row = lineOf({{removedText_, 1}, undo_, close}, -1);
   row->setContentsMargins(0, 0, 0, 0);
-  row->addWidget(removedText_, 1);
-  row->addWidget(undo_);
-  row->addWidget(close);
+  removedBar_->setLayout(row);
   removedBar_->hide();
-  connect(close, &QToolButton::clicked, removedBar_, &QWidget::hide);
   connect(undo_, &QPushButton::clicked, this, [this] {
     removedBar_->hide();
     tree_->setFocus();

@@ -1,24 +1,21 @@
 #include "ui/panels/surface_dialog.h"
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHeaderView>
-#include <QPushButton>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
 #include "ui/controller/segment_jobs.h"
 #include "ui/controller/segments_on_slices.h"
-#include "ui/widgets/plain_text.h"
+#include "ui/widgets/fields.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 
 namespace volumen {
 
 namespace {
+
+constexpr double leastMm = 0.01, mostMm = 100, usualMm = 0.1;
 
 QStringList surfaceHeads(bool isReduced) {
   QStringList heads{SurfaceDialog::tr("Segment"), SurfaceDialog::tr("Triangles"),
@@ -46,12 +43,15 @@ QStringList surfaceCells(const SurfaceToWrite& of) {
 SurfaceDialog::SurfaceDialog(std::vector<SegmentMap> maps, Jobs& jobs, QWidget* parent)
     : QDialog(parent),
       maps_(std::move(maps)),
-      files_(new QComboBox),
-      reduce_(new QCheckBox(tr("Fewer triangles, off by at most"))),
-      byMm_(new QDoubleSpinBox),
-      largest_(new QCheckBox(tr("Largest part of each segment alone"))),
+      files_(choiceField({QStringLiteral("surfaceFiles"), tr("Files")},
+                         {tr("A file a segment"), tr("One file")})),
+      reduce_(flagField({QStringLiteral("surfaceReduce"), tr("Fewer triangles, off by at most")})),
+      byMm_(numberField({QStringLiteral("surfaceReduceMm"), reduce_->text()},
+                        {.low = leastMm, .high = mostMm, .suffix = tr(" mm")})),
+      largest_(flagField({QStringLiteral("surfaceLargest"), tr("Largest part of each segment alone"),
+                          tr("Leaves out what no faces of voxels join to it: loose parts of a print")})),
       table_(new QTableWidget),
-      said_(plainLabel()),
+      said_(wrappedLabel(QStringLiteral("surfaceSaid"))),
       lane_(&jobs) {
   setObjectName(QStringLiteral("surfaceDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
@@ -63,14 +63,8 @@ SurfaceDialog::SurfaceDialog(std::vector<SegmentMap> maps, Jobs& jobs, QWidget* 
   table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
   table_->setSelectionMode(QAbstractItemView::NoSelection);
   table_->verticalHeader()->hide();
-  said_->setObjectName(QStringLiteral("surfaceSaid"));
-  said_->setWordWrap(true);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel);
-  save_ = buttons->addButton(tr("Save"), QDialogButtonBox::AcceptRole);
-  save_->setObjectName(QStringLiteral("surfaceSave"));
-  save_->setDefault(true);
-  connect(buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  auto* buttons = new QDialogButtonBox;
+  save_ = addAccept(*this, *buttons, QStringLiteral("surfaceSave"), tr("Save"));
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
   column->addWidget(table_, 1);
@@ -80,23 +74,11 @@ SurfaceDialog::SurfaceDialog(std::vector<SegmentMap> maps, Jobs& jobs, QWidget* 
 }
 
 void SurfaceDialog::addChoices(QFormLayout& form) {
-  constexpr double leastMm = 0.01, mostMm = 100, usualMm = 0.1;
-  files_->setObjectName(QStringLiteral("surfaceFiles"));
-  files_->setAccessibleName(tr("Files"));
-  files_->addItems({tr("A file a segment"), tr("One file")});
-  reduce_->setObjectName(QStringLiteral("surfaceReduce"));
-  byMm_->setObjectName(QStringLiteral("surfaceReduceMm"));
-  byMm_->setAccessibleName(reduce_->text());
-  byMm_->setRange(leastMm, mostMm);
+  byMm_->setButtonSymbols(QAbstractSpinBox::UpDownArrows);
   byMm_->setValue(usualMm);
   byMm_->setSingleStep(usualMm);
-  byMm_->setSuffix(tr(" mm"));
-  byMm_->setKeyboardTracking(false);  // avoids making surfaces for each typed digit
   byMm_->setEnabled(false);
-  largest_->setObjectName(QStringLiteral("surfaceLargest"));
   largest_->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);  // no wider than its clickable area
-  largest_->setToolTip(
-      toolTipOf(tr("Leaves out what no faces of voxels join to it: loose parts of a print")));
   form.addRow(tr("Files"), files_);
   form.addRow(reduce_, byMm_);
   form.addRow(largest_);

@@ -1,13 +1,11 @@
 #include "ui/panels/transfer_panel.h"
 
 #include <QGridLayout>
-#include <QHBoxLayout>
-#include <QLabel>
 #include <QSignalBlocker>
 #include <QStackedWidget>
-#include <QVBoxLayout>
 #include <cmath>
 
+#include "ui/panels/sources.h"
 #include "ui/panels/window_fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/text.h"
@@ -27,20 +25,14 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
       editor_(new CurveEditor),
       fields_(new QWidget),
       pages_(new QStackedWidget),
-      mode_(new QComboBox),
-      scale_(new QComboBox) {
+      mode_(choiceField({QStringLiteral("mode"), tr("Mode"), tr("What is shown of each line of sight")})) {
   editor_->setObjectName(QStringLiteral("curveEditor"));
   makeFields();
-  makeScaleBox();
   makePages();
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(8, 4, 8, 4);
-  column->setSpacing(2);
-  column->addWidget(makeModeRow());
-  column->addWidget(editor_, 1);
-  column->addWidget(pages_);
+  stack(this, {lineOf({captionOf(tr("Mode"), mode_), {mode_, 1}}, -1), {editor_, 1}, pages_}, 0, 2)
+      ->setContentsMargins(8, 4, 8, 4);
   connectEditor();
-  connectFields();
+  connectMode();
   connect(&session_, &Session::changed, this, [this](const SessionState& before, const SessionState& after) {
     if (!areOneSeries(before.series, after.series) && after.series) {
       editor_->setHistogram(after.series->histogram, shownText(after.series->series.unit));
@@ -60,33 +52,28 @@ TransferPanel::TransferPanel(Session& session, QWidget* parent)
 // Gives both pages one height, so that nothing moves when the mode changes.
 void TransferPanel::makePages() {
   auto* curve = new QWidget;
-  auto* column = new QVBoxLayout(curve);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->addWidget(fields_);
-  column->addWidget(scale_);
+  const Source<Preferences> preferences = preferencesSource(session_);
+  auto* scale = choiceField(
+      {QStringLiteral("opacityScale"), tr("Opacity axis"),
+       tr("The logarithmic axis makes opacities down to 0.0001 per mm adjustable with the mouse.")},
+      {tr("Opacity axis: linear"), tr("Opacity axis: logarithmic")});
+  preferences.bind(scale, {}, among(at(&Preferences::logarithmicOpacity), {false, true}));
+  preferences.follow(editor_, [this](const Preferences& p) {
+    editor_->setOpacityScale(p.logarithmicOpacity ? OpacityScale::extinction : OpacityScale::linear);
+  });
+  stack(curve, {fields_, scale}, 0, -1);
   pages_->addWidget(curve);
   pages_->addWidget(new WindowFields(session_));
   pages_->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Maximum);
 }
 
-QWidget* TransferPanel::makeModeRow() {
-  mode_->setObjectName(QStringLiteral("mode"));
-  mode_->setAccessibleName(tr("Mode"));
+void TransferPanel::connectMode() {
   for (const ModeRow& row : modeRows()) mode_->addItem(QString::fromUtf8(row.title));
-  mode_->setToolTip(tr("What is shown of each line of sight"));
   connect(mode_, &QComboBox::activated, this, [this](int n) {
     if (session_.series())
       session_.edit(tr("Mode %1").arg(mode_->itemText(n)),
                     withMode(session_.scene(), Mode(n), *session_.series()));
   });
-  auto* row = new QWidget;
-  auto* line = new QHBoxLayout(row);
-  line->setContentsMargins(0, 0, 0, 0);
-  auto* label = plainLabel(tr("Mode"));
-  label->setBuddy(mode_);
-  line->addWidget(label);
-  line->addWidget(mode_, 1);
-  return row;
 }
 
 void TransferPanel::showMode() {
@@ -122,37 +109,43 @@ void TransferPanel::editWindow(const TransferFunction& curve, const QString& wha
       what, [&](Scene& s) { s.window = windowBetween(ends); }, what);
 }
 
-void TransferPanel::makeScaleBox() {
-  scale_->setObjectName(QStringLiteral("opacityScale"));
-  scale_->setAccessibleName(tr("Opacity axis"));
-  scale_->addItems({tr("Opacity axis: linear"), tr("Opacity axis: logarithmic")});
-  scale_->setToolTip(
-      tr("The logarithmic axis makes opacities down to 0.0001 per mm adjustable with the mouse."));
-  connect(scale_, &QComboBox::activated, this,
-          [this](int n) { session_.prefer([n](Preferences& p) { p.logarithmicOpacity = n == 1; }); });
-  const auto show = [this] {
-    const bool logarithmic = session_.preferences().logarithmicOpacity;
-    scale_->setCurrentIndex(logarithmic ? 1 : 0);
-    editor_->setOpacityScale(logarithmic ? OpacityScale::extinction : OpacityScale::linear);
-  };
-  connect(&session_, &Session::preferencesChanged, this, show);
-  show();
-}
-
 void TransferPanel::makeFields() {
   auto* grid = new QGridLayout(fields_);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(4);
-  value_ = addField(QStringLiteral("pointValue"), tr("Value"), 1, -1e9, 1e9);
-  opacity_ = addField(QStringLiteral("pointOpacity"), tr("Opacity\nper mm"), 5, 0, 1);
-  halving_ =
-      addField(QStringLiteral("pointHalving"), tr("Half-value\ndepth"), 2, shortestHalving, longestHalving);
+  const auto add = [this, grid](const char* name, const QString& label, const NumberFormat& format,
+                                const QString& what, const std::function<void(CurvePoint&, double)>& set) {
+    auto* field = numberField(
+        {QLatin1String(name), QString(label).replace(QLatin1Char('\n'), QLatin1Char(' '))}, format);
+    const int column = grid->count() / 2;
+    grid->addWidget(captionOf(label, field), 0, column, Qt::AlignBottom);
+    grid->addWidget(field, 1, column);
+    grid->setColumnStretch(column, 1);
+    whenEdited(
+        field, [this, what, set](double v) { changePoint([&](CurvePoint& p) { set(p, v); }, what); },
+        [this] { session_.endGesture(); });
+    return field;
+  };
+  const auto unitDistance = [this] { return session_.scene().transferFunction.unitDistance; };
+  value_ = add("pointValue", tr("Value"), {.low = -1e9, .high = 1e9, .decimals = 1}, tr("Point value"),
+               [](CurvePoint& p, double v) { p.value = float(v); });
+  opacity_ = add("pointOpacity", tr("Opacity\nper mm"), {.decimals = 5}, tr("Point opacity"),
+                 [unitDistance](CurvePoint& p, double perMm) {
+                   p.opacity = opacityFromExtinction(extinctionPerMm(perMm, 1), unitDistance());
+                 });
+  halving_ = add("pointHalving", tr("Half-value\ndepth"), {.low = shortestHalving, .high = longestHalving},
+                 tr("Point opacity"), [unitDistance](CurvePoint& p, double mm) {
+                   p.opacity = opacityFromExtinction(ln2 / mm, unitDistance());
+                 });
   colour_ = new ColourButton(tr("Point colour"));
   colour_->setObjectName(QStringLiteral("pointColour"));
   grid->addWidget(plainLabel(tr("Colour")), 0, 3, Qt::AlignBottom);
   grid->addWidget(colour_, 1, 3);
-  for (int column = 0; column < 3; ++column) grid->setColumnStretch(column, 1);
+  whenEdited(
+      colour_,
+      [this](glm::dvec3 c) { changePoint([c](CurvePoint& p) { p.colour = c; }, tr("Point colour")); },
+      [this] { session_.endGesture(); });
 }
 
 void TransferPanel::connectEditor() {
@@ -165,43 +158,6 @@ void TransferPanel::connectEditor() {
   connect(editor_, &CurveEditor::gestureFinished, this, [this] { session_.endGesture(); });
   connect(editor_, &CurveEditor::selectionChanged, this, &TransferPanel::showPoint);
   connect(editor_, &CurveEditor::colourRequested, colour_, &ColourButton::click);
-}
-
-void TransferPanel::connectFields() {
-  const auto unitDistance = [this] { return session_.scene().transferFunction.unitDistance; };
-  connect(value_, &QDoubleSpinBox::valueChanged, this,
-          [this](double v) { changePoint([v](CurvePoint& p) { p.value = float(v); }, tr("Point value")); });
-  connect(opacity_, &QDoubleSpinBox::valueChanged, this, [this, unitDistance](double perMm) {
-    const double opacity = opacityFromExtinction(extinctionPerMm(perMm, 1), unitDistance());
-    changePoint([opacity](CurvePoint& p) { p.opacity = opacity; }, tr("Point opacity"));
-  });
-  connect(halving_, &QDoubleSpinBox::valueChanged, this, [this, unitDistance](double mm) {
-    const double opacity = opacityFromExtinction(ln2 / mm, unitDistance());
-    changePoint([opacity](CurvePoint& p) { p.opacity = opacity; }, tr("Point opacity"));
-  });
-  connect(colour_, &ColourButton::colourEdited, this,
-          [this](glm::dvec3 c) { changePoint([c](CurvePoint& p) { p.colour = c; }, tr("Point colour")); });
-  connect(colour_, &ColourButton::gestureFinished, this, [this] { session_.endGesture(); });
-}
-
-QDoubleSpinBox* TransferPanel::addField(const QString& name, const QString& label, int decimals, double low,
-                                        double high) {
-  auto* grid = static_cast<QGridLayout*>(fields_->layout());
-  auto* field = new QDoubleSpinBox;
-  field->setObjectName(name);
-  field->setAccessibleName(QString(label).replace(QLatin1Char('\n'), QLatin1Char(' ')));
-  field->setDecimals(decimals);
-  field->setRange(low, high);
-  field->setKeyboardTracking(false);
-  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  field->setMinimumWidth(64);
-  connect(field, &QDoubleSpinBox::editingFinished, this, [this] { session_.endGesture(); });
-  const int column = grid->columnCount() - (grid->count() == 0 ? 1 : 0);
-  auto* caption = plainLabel(label);
-  caption->setBuddy(field);
-  grid->addWidget(caption, 0, column, Qt::AlignBottom);
-  grid->addWidget(field, 1, column);
-  return field;
 }
 
 void TransferPanel::showPoint() {

@@ -24,13 +24,10 @@ class TransferPanel : public QWidget {
   void curvePulled();
 
  private:
-  QWidget* makeModeRow();
-  void makeScaleBox();
   void makePages();
   void makeFields();
   void connectEditor();
-  void connectFields();
-  QDoubleSpinBox* addField(const QString& name, const QString& label, int decimals, double low, double high);
+  void connectMode();
   void showMode();
   void showCurve();
   void showPoint();
@@ -41,7 +38,7 @@ class TransferPanel : public QWidget {
   CurveEditor* editor_;
   QWidget* fields_;
   QStackedWidget* pages_;  // numbers of the curve, or of the window
-  QComboBox *mode_, *scale_;
+  QComboBox* mode_;
   QDoubleSpinBox *value_, *opacity_, *halving_;
   ColourButton* colour_;
 };

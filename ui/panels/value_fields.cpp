@@ -1,10 +1,9 @@
 #include "ui/panels/value_fields.h"
 
-#include <QGridLayout>
 #include <QSignalBlocker>
 #include <cmath>
 
-#include "ui/widgets/plain_text.h"
+#include "ui/widgets/fields.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 
@@ -21,41 +20,27 @@ int decimalsOf(double width) {
 
 }  // namespace
 
-ValueFields::ValueFields(const QString& name, bool all, QWidget* parent) : QWidget(parent) {
-  auto* grid = new QGridLayout(this);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(8);
-  grid->setVerticalSpacing(4);
-  grid->setColumnStretch(1, 1);
-  if (all) {
-    centre_ = addField(name + QStringLiteral("Centre"), tr("Centre"));
-    width_ = addField(name + QStringLiteral("Width"), tr("Width"));
+ValueFields::ValueFields(const QString& name, Which which, QWidget* parent) : QWidget(parent) {
+  const auto field = [&](const QString& suffix, const QString& label) {
+    auto* made = numberField({name + suffix, label}, {.low = -largestValue, .high = largestValue});
+    connect(made, &QDoubleSpinBox::valueChanged, this, [this, made] { typed(made); });
+    connect(made, &QDoubleSpinBox::editingFinished, this, &ValueFields::gestureFinished);
+    fields_.push_back(made);
+    return made;
+  };
+  if (which != Which::ends) {
+    centre_ = field(QStringLiteral("Centre"), tr("Centre"));
+    width_ = field(QStringLiteral("Width"), tr("Width"));
     width_->setMinimum(0);  // typed() rejects zero
   }
-  low_ = addField(name + QStringLiteral("Low"), tr("Lowest"));
-  high_ = addField(name + QStringLiteral("High"), tr("Highest"));
+  if (which != Which::centreAndWidth) {
+    low_ = field(QStringLiteral("Low"), tr("Lowest"));
+    high_ = field(QStringLiteral("High"), tr("Highest"));
+  }
+  stackWithCaptions(this, {fields_.begin(), fields_.end()});
 }
 
-QDoubleSpinBox* ValueFields::addField(const QString& name, const QString& label) {
-  auto* field = new QDoubleSpinBox;
-  field->setObjectName(name);
-  field->setAccessibleName(label);
-  field->setRange(-largestValue, largestValue);
-  field->setKeyboardTracking(false);
-  field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  field->setMinimumWidth(64);
-  auto* caption = plainLabel(label);
-  caption->setBuddy(field);
-  auto* grid = static_cast<QGridLayout*>(layout());
-  const int row = grid->count() / 2;
-  grid->addWidget(caption, row, 0);
-  grid->addWidget(field, row, 1);
-  connect(field, &QDoubleSpinBox::valueChanged, this, [this, field] { typed(field); });
-  connect(field, &QDoubleSpinBox::editingFinished, this, &ValueFields::gestureFinished);
-  return field;
-}
-
-void ValueFields::setWindow(const Window& window, const Series& series) {
+void ValueFields::setWindow(const Window& window, const Series& series, std::optional<int> decimals) {
   window_ = shownWindow(window, series);
   toStored_ = 1 / shownScale(series).factor;
   const double width = std::abs(window_->width);
@@ -67,7 +52,7 @@ void ValueFields::setWindow(const Window& window, const Series& series) {
     if (!field) continue;
     const QSignalBlocker quiet(field);
     field->setSuffix(unitSuffix(series));
-    field->setDecimals(decimalsOf(width));
+    field->setDecimals(decimals.value_or(decimalsOf(width)));
     field->setValue(value);
   }
 }

@@ -11,12 +11,12 @@ namespace volumen {
 class ValueFields : public QWidget {
   Q_OBJECT
  public:
-  /// `name` is the prefix of the fields' object names ("flat": "flatCentre" ...). Without `all` there are
-  /// only the lowest and highest value.
-  ValueFields(const QString& name, bool all, QWidget* parent = nullptr);
+  enum class Which { all, ends, centreAndWidth };
+  /// `name` is the prefix of the fields' object names ("flat": "flatCentre" ...).
+  ValueFields(const QString& name, Which which, QWidget* parent = nullptr);
 
-  /// Shows a window of a series in stored values, without a signal.
-  void setWindow(const Window& window, const Series& series);
+  /// Shows a window of a series in stored values, without a signal. By default with four digits of its width.
+  void setWindow(const Window& window, const Series& series, std::optional<int> decimals = {});
 
  Q_SIGNALS:
   /// The edited window, in stored values. `dark` is above `bright` if it is inverted.
@@ -24,12 +24,12 @@ class ValueFields : public QWidget {
   void gestureFinished();
 
  private:
-  QDoubleSpinBox* addField(const QString& name, const QString& label);
   void typed(QDoubleSpinBox* field);
 
   std::optional<Window> window_;  // in the numbers on screen
   double toStored_ = 1;           // factor from these numbers to stored values
-  QDoubleSpinBox *centre_ = nullptr, *width_ = nullptr, *low_, *high_;
+  QDoubleSpinBox *centre_ = nullptr, *width_ = nullptr, *low_ = nullptr, *high_ = nullptr;
+  std::vector<QDoubleSpinBox*> fields_;  // those of them that there are
 };
 
 }  // namespace volumen

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <QCheckBox>
-#include <QComboBox>
-#include <QDoubleSpinBox>
-
+#include "ui/panels/value_fields.h"
 #include "ui/workspace/session.h"
+
+class QCheckBox;
+class QComboBox;
 
 namespace volumen {
 
@@ -15,15 +15,12 @@ class WindowFields : public QWidget {
   explicit WindowFields(Session& session, QWidget* parent = nullptr);
 
  private:
-  QDoubleSpinBox* makeField(const QString& name, const QString& label);
-  void fillChoices();
   void showWindow();
   void setWindow(const std::optional<Window>& window);
-  void typed();
 
   Session& session_;
   QComboBox* choices_;
-  QDoubleSpinBox *centre_, *width_;
+  ValueFields* values_;
   QCheckBox* inverted_;
 };
 

@@ -1,12 +1,10 @@
 #include "ui/panels/windows_dialog.h"
 
-#include <QDialogButtonBox>
 #include <QHeaderView>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
-#include "ui/widgets/plain_text.h"
+#include "ui/widgets/fields.h"
 #include "ui/workspace/text.h"
 #include "ui/workspace/value_text.h"
 #include "ui/workspace/when_changed.h"
@@ -40,7 +38,10 @@ WindowsDialog::WindowsDialog(Session& session, InUse inUse, QWidget* parent)
       session_(session),
       inUse_(std::move(inUse)),
       table_(new QTableWidget(0, ownColumns)),
-      note_(plainLabel()) {
+      note_(wrappedLabel(
+          QStringLiteral("windowNote"),
+          tr("Add takes the window of the slice or frame in focus. Each is offered for series of its "
+             "modality and unit, behind the program's own."))) {
   setObjectName(QStringLiteral("windowsDialog"));
   setWindowTitle(tr("Windows"));
   table_->setObjectName(QStringLiteral("windowTable"));
@@ -49,12 +50,6 @@ WindowsDialog::WindowsDialog(Session& session, InUse inUse, QWidget* parent)
   table_->horizontalHeader()->setSectionResizeMode(ownName, QHeaderView::Stretch);
   table_->verticalHeader()->hide();
   table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  note_->setObjectName(QStringLiteral("windowNote"));
-  note_->setWordWrap(true);
-  note_->setText(
-      tr("Add takes the window of the slice or frame in focus. Each is offered for series of its modality "
-         "and unit, "
-         "behind the program's own."));
   auto* column = new QVBoxLayout(this);
   column->addWidget(note_);
   column->addWidget(table_, 1);
@@ -67,13 +62,8 @@ WindowsDialog::WindowsDialog(Session& session, InUse inUse, QWidget* parent)
 
 QWidget* WindowsDialog::makeButtons() {
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
-  QPushButton* added = buttons->addButton(tr("Add"), QDialogButtonBox::ActionRole);
-  QPushButton* removed = buttons->addButton(tr("Remove"), QDialogButtonBox::ActionRole);
-  added->setObjectName(QStringLiteral("addWindow"));
-  removed->setObjectName(QStringLiteral("removeWindow"));
-  for (QPushButton* button : {added, removed}) button->setAutoDefault(false);  // Enter ends editing a cell
-  connect(added, &QPushButton::clicked, this, &WindowsDialog::add);
-  connect(removed, &QPushButton::clicked, this, &WindowsDialog::remove);
+  addButton(*buttons, QStringLiteral("addWindow"), tr("Add"), [this] { add(); });
+  addButton(*buttons, QStringLiteral("removeWindow"), tr("Remove"), [this] { remove(); });
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::close);
   return buttons;
 }

@@ -4,35 +4,56 @@
 
 namespace volumen {
 
-Bindings::Bindings(Edit edit, std::function<void()> endGesture)
-    : edit_(std::move(edit)), endGesture_(std::move(endGesture)) {}
+void whenEdited(NumberRow* row, const std::function<void(double)>& edited,
+                const std::function<void()>& done) {
+  QObject::connect(row, &NumberRow::valueEdited, row, edited);
+  QObject::connect(row, &NumberRow::gestureFinished, row, done);
+}
 
-void Bindings::number(NumberRow* row, const QString& what, Property<double> property) {
-  QObject::connect(row, &NumberRow::valueEdited, row, [this, what, property](double value) {
-    edit_(what, [&](Scene& s) { property(s) = value; });
+void whenEdited(QDoubleSpinBox* field, const std::function<void(double)>& edited,
+                const std::function<void()>& done) {
+  QObject::connect(field, &QDoubleSpinBox::valueChanged, field, edited);
+  QObject::connect(field, &QDoubleSpinBox::editingFinished, field, done);
+}
+
+void whenEdited(QCheckBox* box, const std::function<void(bool)>& edited, const std::function<void()>& done) {
+  QObject::connect(box, &QCheckBox::toggled, box, [edited, done](bool on) {
+    edited(on);
+    done();
   });
-  QObject::connect(row, &NumberRow::gestureFinished, row, endGesture_);
-  show_.push_back([row, property](Scene& s) { row->setValue(property(s)); });
 }
 
-void Bindings::flag(QCheckBox* box, const QString& what, Property<bool> property) {
-  QObject::connect(box, &QCheckBox::clicked, box, [this, what, property](bool on) {
-    edit_(what, [&](Scene& s) { property(s) = on; });
-    endGesture_();
+void whenEdited(QComboBox* box, const std::function<void(int)>& edited, const std::function<void()>& done) {
+  QObject::connect(box, &QComboBox::currentIndexChanged, box, [edited, done](int n) {
+    if (n < 0) return;
+    edited(n);
+    done();
   });
-  show_.push_back([box, property](Scene& s) { box->setChecked(property(s)); });
 }
 
-void Bindings::colour(ColourButton* button, const QString& what, Property<glm::dvec3> property) {
-  QObject::connect(button, &ColourButton::colourEdited, button,
-                   [this, what, property](glm::dvec3 c) { edit_(what, [&](Scene& s) { property(s) = c; }); });
-  QObject::connect(button, &ColourButton::gestureFinished, button, endGesture_);
-  show_.push_back([button, property](Scene& s) { button->setColour(property(s)); });
+void whenEdited(ColourButton* button, const std::function<void(glm::dvec3)>& edited,
+                const std::function<void()>& done) {
+  QObject::connect(button, &ColourButton::colourEdited, button, edited);
+  QObject::connect(button, &ColourButton::gestureFinished, button, done);
 }
 
-void Bindings::show(const Scene& scene) const {
-  Scene copy = scene;
-  for (const auto& one : show_) one(copy);
+void showIn(NumberRow* row, double value) { row->setValue(value); }
+
+void showIn(QDoubleSpinBox* field, double value) {
+  const QSignalBlocker quiet(field);
+  if (field->value() != value) field->setValue(value);
 }
+
+void showIn(QCheckBox* box, bool value) {
+  const QSignalBlocker quiet(box);
+  box->setChecked(value);
+}
+
+void showIn(QComboBox* box, int value) {
+  const QSignalBlocker quiet(box);
+  box->setCurrentIndex(value);
+}
+
+void showIn(ColourButton* button, glm::dvec3 value) { button->setColour(value); }
 
 }  // namespace volumen

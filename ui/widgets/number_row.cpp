@@ -19,17 +19,13 @@ NumberRow::NumberRow(const QString& name, const NumberFormat& format, QWidget* p
       format_(format),
       label_(plainLabel()),
       slider_(new QSlider(Qt::Horizontal)),
-      field_(new QDoubleSpinBox) {
+      field_(numberField({QString(name).remove(QLatin1Char(' ')), name}, format)) {
   slider_->setRange(0, sliderSteps);
   slider_->setPageStep(sliderSteps / 10);
   slider_->setSingleStep(sliderSteps / 100);
   slider_->setMinimumWidth(40);
-  field_->setRange(format.low, format.high);
-  field_->setDecimals(format.decimals);
-  field_->setSuffix(format.suffix);
+  field_->setButtonSymbols(QAbstractSpinBox::UpDownArrows);
   field_->setSingleStep(std::pow(10.0, 1 - format.decimals) / 2);
-  field_->setKeyboardTracking(false);
-  field_->setObjectName(QString(name).remove(QLatin1Char(' ')));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(8);

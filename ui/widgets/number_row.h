@@ -1,18 +1,10 @@
 #pragma once
 
-#include <QDoubleSpinBox>
-#include <QLabel>
 #include <QSlider>
 
-namespace volumen {
+#include "ui/widgets/fields.h"
 
-/// Range and format of a number.
-struct NumberFormat {
-  double low = 0, high = 1;
-  int decimals = 2;
-  QString suffix = {};       ///< " mm"
-  bool logarithmic = false;  ///< the slider's scale; requires low > 0
-};
+namespace volumen {
 
 /// A number with a slider and a field; the field has a wider range. Shift with the arrow keys is fine.
 class NumberRow : public QWidget {

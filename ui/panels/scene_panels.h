@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ui/workspace/session.h"
+
+class QWidget;
+
+namespace volumen {
+
+/// Calls of the 3D view that the camera panel works on.
+struct CameraInView {
+  std::function<Camera()> inUse;  ///< the camera, which may be fitted
+  std::function<void(const QString& standardView)> show;
+  std::function<void()> reset;
+};
+
+/// Makes the panel of the projection and the standard views.
+QWidget* makeCameraPanel(Session& session, const CameraInView& view);
+/// Makes the panel of the clip box: how much each of its six sides cuts from the volume.
+QWidget* makeClipPanel(Session& session);
+/// Makes the panel of the reflection of surfaces. Its numbers are disabled if the scene is unlit.
+QWidget* makeMaterialPanel(Session& session);
+
+}  // namespace volumen
