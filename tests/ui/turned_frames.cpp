@@ -4,13 +4,13 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "results/series/series_facts.h"
 #include "tests/fixtures/slice_twin.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/ui/draws_nothing.h"
 #include "ui/controller/slice_service.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/workspace/hanging_protocol.h"
-#include "ui/workspace/series_facts.h"
 
 namespace volumen::tests {
 

@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/text/value_text.h"
 #include "ui/features/feature.h"
 #include "ui/panels/windows_dialog.h"
 #include "ui/views/flat_view.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/value_text.h"
 
 namespace volumen {
 

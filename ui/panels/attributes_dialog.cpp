@@ -16,9 +16,9 @@
 #include <set>
 #include <utility>
 
+#include "results/text/text.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/picture_in_focus.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -4,8 +4,8 @@
 #include <QFormLayout>
 #include <QPushButton>
 
+#include "results/text/text.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

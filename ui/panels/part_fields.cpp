@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <string_view>
 
+#include "results/text/text.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 #include "viewer/recipe/step_kinds.h"
 
 namespace volumen {

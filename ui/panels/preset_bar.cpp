@@ -9,8 +9,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/widgets/untinted_icon.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

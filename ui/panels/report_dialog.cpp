@@ -6,9 +6,9 @@
 #include <algorithm>
 
 #include "io/study/series.h"
+#include "results/series/series_facts.h"
+#include "results/text/text.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/patients.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -3,11 +3,11 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "results/text/text.h"
 #include "ui/controller/lesion.h"
 #include "ui/controller/segment_edits.h"
 #include "ui/panels/part_fields.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

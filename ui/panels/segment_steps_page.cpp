@@ -4,9 +4,9 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

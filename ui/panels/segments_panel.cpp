@@ -7,13 +7,13 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
-#include "ui/controller/segment_recipes.h"
+#include "results/segments/recipes.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/panels/part_fields.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
+#include "ui/workspace/series_segments.h"
 
 namespace volumen {
 

@@ -6,10 +6,10 @@
 #include <QLabel>
 #include <QWidgetAction>
 
+#include "results/text/text.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -6,9 +6,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "results/text/text.h"
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -4,10 +4,10 @@
 #include <QHBoxLayout>
 #include <QVBoxLayout>
 
+#include "results/segments/segment_maps.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -6,9 +6,9 @@
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 
 namespace volumen {
 

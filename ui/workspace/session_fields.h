@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/data/series_key.h"
+#include "io/study/series_key.h"
 #include "ui/workspace/shared_list.h"
 #include "ui/workspace/shared_map.h"
 #include "viewer/measure/shape.h"
