@@ -93,20 +93,20 @@ bool isOnlyNarrowed(const std::vector<Step>& steps, const std::string& name) {
 
 Result<SegmentMap> withStepsDone(SegmentMap map, const StepsWanted& wanted, const Volume& volume,
                                  const CancelToken& cancel) {
-  NamedMasks masks = masksFor(wanted, map);
-  for (std::size_t n = 0; n < wanted.steps.size(); ++n) {
-    const Step& step = wanted.steps[n];
-    if (wanted.given.contains(step.segment) && step.kind == byHandStep) continue;
-    if (const Status done = runStep(step, volume, masks, cancel); !done)
-      return Error{namedIn(done.message(), map)};
-    cancel.setDone(double(n + 1) / double(wanted.steps.size()));
-  }
+  std::vector<Step> steps = wanted.steps;
+  std::erase_if(steps, [&](const Step& step) {
+    return step.kind == byHandStep && wanted.given.contains(step.segment);
+  });
+  StepRun run{steps, masksFor(wanted, map)};
+  for (const int number : wanted.numbers) run.kept.insert(stepNameOf(number));
+  const auto masks = runSteps(std::move(run), volume, cancel);
+  if (!masks) return Error{namedIn(masks.message(), map)};
   std::vector<Step> done = wanted.steps, all = map.steps;
   all.insert(all.end(), wanted.steps.begin(), wanted.steps.end());
   const Taking taking(all);
   for (std::size_t n = 0; n < wanted.numbers.size(); ++n) {
     const int number = wanted.numbers[n];
-    const BitMask& mask = masks.at(stepNameOf(number));
+    const BitMask& mask = masks->at(stepNameOf(number));
     if (!wanted.areApart && !isOnlyNarrowed(wanted.steps, stepNameOf(number)))
       std::ranges::move(taking.steps(map, number, mask, std::span(wanted.numbers).subspan(n + 1)),
                         std::back_inserter(done));
