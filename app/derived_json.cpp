@@ -7,7 +7,7 @@
 #include "io/segmentation.h"
 #include "io/study/iso_date.h"
 #include "io/zip_archive.h"
-#include "ui/workspace/code_json.h"
+#include "results/numbers/code_json.h"
 
 namespace volumen {
 

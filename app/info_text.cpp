@@ -6,8 +6,8 @@
 #include "app/command.h"
 #include "io/study/study.h"
 #include "io/zip_archive.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

@@ -3,7 +3,7 @@
 #include <iostream>
 
 #include "app/command.h"
-#include "ui/workspace/own_presets.h"
+#include "results/pictures/own_presets.h"
 #include "viewer/scene/presets.h"
 
 namespace volumen {

@@ -9,8 +9,8 @@
 #include "io/load.h"
 #include "io/study/choose.h"
 #include "io/zip_archive.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_points.h"
+#include "results/series/time_points.h"
+#include "results/text/text.h"
 #include "viewer/scene/automatic.h"
 
 namespace volumen {

@@ -3,7 +3,7 @@
 #include <QImage>
 
 #include "app/report_files.h"
-#include "ui/overlays/annotate.h"
+#include "results/pictures/annotate.h"
 
 namespace volumen {
 

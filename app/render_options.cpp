@@ -8,7 +8,7 @@
 #include "app/option_words.h"
 #include "app/usage.h"
 #include "io/files/scene_file.h"
-#include "ui/workspace/own_presets.h"
+#include "results/pictures/own_presets.h"
 #include "viewer/phantoms/phantoms.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/scene/first_camera.h"

@@ -8,7 +8,7 @@
 #include "app/command.h"
 #include "io/files/output_file.h"
 #include "io/files/picture_file.h"
-#include "ui/overlays/picture_font.h"
+#include "results/pictures/picture_font.h"
 
 namespace volumen {
 

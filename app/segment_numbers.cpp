@@ -6,9 +6,9 @@
 
 #include "app/progress.h"
 #include "io/export/read_segments.h"
-#include "ui/controller/segment_time_values.h"
-#include "ui/workspace/segment_columns.h"
-#include "ui/workspace/series_columns.h"
+#include "results/numbers/segment_columns.h"
+#include "results/numbers/segments_over_time.h"
+#include "results/numbers/series_columns.h"
 
 namespace volumen {
 

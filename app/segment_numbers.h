@@ -10,7 +10,7 @@
 #include "io/export/segments_file.h"
 #include "io/files/output_file.h"
 #include "io/study/suv.h"
-#include "ui/workspace/segments_over_time.h"
+#include "results/numbers/segments_over_time.h"
 
 namespace volumen {
 

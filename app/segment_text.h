@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "io/study/suv.h"
-#include "ui/workspace/segment_report.h"
+#include "results/numbers/segment_report.h"
 
 namespace volumen {
 

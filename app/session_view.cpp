@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "app/progress.h"
+#include "results/segments/segment_surfaces.h"
 #include "ui/controller/open_session.h"
-#include "ui/workspace/segment_surfaces.h"
 
 namespace volumen {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/study/series.h"
-#include "ui/workspace/segment_map.h"
+#include "results/segments/segment_map.h"
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
 #include "viewer/segment/mask.h"

@@ -1,5 +1,5 @@
+#include "results/pictures/own_presets.h"
 #include "ui/main_window.h"
-#include "ui/workspace/own_presets.h"
 
 namespace volumen {
 

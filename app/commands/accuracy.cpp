@@ -9,7 +9,7 @@
 #include "app/render_options.h"
 #include "app/report_files.h"
 #include "app/usage.h"
-#include "ui/plots/study_charts.h"
+#include "results/plots/study_charts.h"
 #include "viewer/evaluation/accuracy_study.h"
 
 namespace volumen {

@@ -9,7 +9,7 @@
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/report_files.h"
-#include "ui/plots/paper_charts.h"
+#include "results/plots/paper_charts.h"
 #include "viewer/scene/presets.h"
 
 namespace volumen {

@@ -15,7 +15,7 @@
 #include "app/usage.h"
 #include "io/files/private_folder.h"
 #include "ui/british.h"
-#include "ui/controller/scene_files.h"
+#include "results/pictures/scene_files.h"
 #include "ui/main_window.h"
 
 namespace volumen {

@@ -16,7 +16,7 @@
 #include "io/frames.h"
 #include "io/index/index_path.h"
 #include "io/study/choose.h"
-#include "ui/views/paint_graphics.h"
+#include "results/pictures/paint_graphics.h"
 
 namespace volumen {
 

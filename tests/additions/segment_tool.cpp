@@ -1,9 +1,9 @@
 // An addition: a tool that stamps a ball into a new segment, with a preview while the button is held.
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
+#include "results/segments/step_work.h"
 #include "ui/controller/segment_editing.h"
-#include "ui/controller/step_work.h"
 #include "ui/tools/tool.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
 
 namespace volumen {
 

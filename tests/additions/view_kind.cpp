@@ -1,9 +1,9 @@
 // An addition: a kind of view with its own family that shows the name of the series.
 #include <QPainter>
 
+#include "results/text/text.h"
 #include "ui/views/view.h"
 #include "ui/views/view_makers.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/curved.h"
+#include "results/series/series_facts.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/session_folder.h"

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <limits>
 
+#include "results/segments/segment_record.h"
 #include "tests/ui/paint_window.h"
 #include "ui/workspace/camera_moves.h"
-#include "ui/workspace/segment_record.h"
 
 namespace volumen::tests {
 

@@ -6,9 +6,9 @@
 #include <QDoubleSpinBox>
 #include <QTreeWidget>
 
+#include "results/segments/segments.h"
 #include "tests/ui/hollow_balls.h"
 #include "tests/ui/measure_window.h"
-#include "ui/workspace/segments.h"
 
 namespace volumen::tests {
 

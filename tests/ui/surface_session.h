@@ -6,6 +6,7 @@
 #include "tests/ui/segment_window.h"
 #include "ui/controller/segment_painter.h"
 #include "ui/derivations/drawn_scenes.h"
+#include "ui/workspace/series_segments.h"
 #include "viewer/segment/occupancy.h"
 #include "viewer/segment/range.h"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/data/loaded_series.h"
+#include "results/series/loaded_series.h"
 
 namespace volumen::tests {
 

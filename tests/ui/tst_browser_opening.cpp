@@ -3,12 +3,12 @@
 #include <QMimeData>
 #include <QUndoStack>
 
+#include "results/text/text.h"
 #include "tests/ui/browser_window.h"
 #include "tests/ui/gestures.h"
 #include "tests/unit/suite.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 using namespace volumen::tests;

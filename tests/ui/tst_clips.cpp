@@ -5,8 +5,8 @@
 #include <set>
 #include <utility>
 
+#include "results/pictures/picture_font.h"
 #include "tests/ui/frames_window.h"
-#include "ui/overlays/picture_font.h"
 #include "ui/views/cine_player.h"
 #include "ui/workspace/cine.h"
 

@@ -2,10 +2,10 @@
 // step each.
 #include <QComboBox>
 
+#include "results/segments/segment_record.h"
 #include "tests/ui/segment_window.h"
 #include "tests/ui/surface_window.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/segment_record.h"
 #include "viewer/segment/parts.h"
 
 using namespace volumen;

@@ -10,6 +10,7 @@
 #include "ui/derivations/masking.h"
 #include "ui/derivations/segment_numbers.h"
 #include "ui/derivations/segment_reports.h"
+#include "ui/workspace/series_segments.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -3,9 +3,9 @@
 #include <QPainter>
 #include <glm/geometric.hpp>
 
+#include "results/pictures/picture_font.h"
 #include "tests/fixtures/chance.h"
 #include "tests/unit/suite.h"
-#include "ui/overlays/picture_font.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/rect_index.h"
 

@@ -14,7 +14,7 @@
 #include "ui/controller/segment_files.h"
 #include "ui/views/cine_bar.h"
 #include "ui/widgets/offer_bar.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 #include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;

@@ -6,12 +6,13 @@
 #include <set>
 
 #include "io/open.h"
+#include "io/study/frame_series.h"
+#include "results/series/series_facts.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/data/frame_series.h"
 #include "ui/data/picture_stacks.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/corner_text.h"

@@ -7,13 +7,13 @@
 #include <QTreeWidget>
 #include <cmath>
 
+#include "results/text/text.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/ui/kept_pictures.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
 #include "ui/exports/flat_pictures.h"
-#include "ui/workspace/text.h"
 #include "viewer/measure/scaled.h"
 
 using namespace volumen;

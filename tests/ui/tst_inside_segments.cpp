@@ -3,6 +3,7 @@
 #include "tests/ui/paint_window.h"
 #include "tests/ui/session_folder.h"
 #include "tests/unit/suite.h"
+#include "ui/workspace/series_segments.h"
 #include "viewer/segment/morphology.h"
 #include "viewer/segment/range.h"
 

@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <QTemporaryDir>
 
+#include "results/text/text.h"
 #include "tests/ui/derived_2d.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/pdf_images.h"
@@ -15,7 +16,6 @@
 #include "ui/overlays/picture_pages.h"
 #include "ui/panels/pages_dialog.h"
 #include "ui/widgets/banner.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 using namespace volumen::tests;

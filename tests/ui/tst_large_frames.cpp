@@ -3,12 +3,12 @@
 #include <QLabel>
 
 #include "io/index/index_path.h"
+#include "io/study/frame_series.h"
 #include "io/thumbnail.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/hung_studies.h"
 #include "ui/controller/frame_picture.h"
 #include "ui/controller/thumbnails.h"
-#include "ui/data/frame_series.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <glm/trigonometric.hpp>
 
+#include "results/segments/segment_record.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"
-#include "ui/workspace/segment_record.h"
 
 using namespace volumen;
 using namespace volumen::tests;

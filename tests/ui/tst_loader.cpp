@@ -3,12 +3,12 @@
 #include <QSignalSpy>
 
 #include "io/open.h"
+#include "results/text/text.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/loader.h"
 #include "ui/main_window.h"
 #include "ui/widgets/status_line.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 

@@ -9,13 +9,13 @@
 #include <QSettings>
 #include <QTabBar>
 
+#include "io/study/frame_series.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/journey.h"
 #include "tests/ui/test_series.h"
 #include "tests/ui/window_flaws.h"
 #include "tests/unit/suite.h"
-#include "ui/data/frame_series.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 

@@ -2,11 +2,11 @@
 // there at once, and that a drag shows those of its latest shape.
 #include <QSignalSpy>
 
+#include "results/text/value_text.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/derivations/measured_numbers.h"
 #include "ui/workspace/measurements.h"
-#include "ui/workspace/value_text.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -9,11 +9,11 @@
 #include <QToolButton>
 #include <fstream>
 
+#include "results/text/value_text.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
 #include "ui/panels/chart_panel.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/value_text.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/pictures/overlays.h"
+#include "results/pictures/picture_font.h"
+#include "results/pictures/readable_text.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/overlays/overlays.h"
-#include "ui/overlays/picture_font.h"
-#include "ui/overlays/readable_text.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/widgets/tissues.h"
 

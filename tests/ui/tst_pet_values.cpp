@@ -10,11 +10,11 @@
 #include <QSettings>
 #include <QTreeWidget>
 
+#include "results/text/value_text.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/frame_look.h"
-#include "ui/workspace/value_text.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -4,13 +4,13 @@
 #include <QTest>
 #include <cmath>
 
+#include "results/text/text.h"
 #include "tests/fixtures/real_volume.h"
-#include "tests/ui/scene_session.h"
 #include "tests/ui/gestures.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/views/volume_view.h"
-#include "ui/workspace/text.h"
 #include "viewer/scene/curve_edits.h"
 #include "viewer/scene/presets.h"
 

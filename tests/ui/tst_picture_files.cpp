@@ -3,12 +3,12 @@
 #include <QLabel>
 #include <QTemporaryDir>
 
+#include "results/text/text.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/measure_window.h"
 #include "tests/ui/picture_window.h"
 #include "ui/overlays/slice_sheet.h"
 #include "ui/widgets/banner.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 using namespace volumen::tests;

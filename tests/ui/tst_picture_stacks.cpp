@@ -5,13 +5,13 @@
 #include <algorithm>
 
 #include "io/open.h"
+#include "io/study/frame_series.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/stills_window.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/open_session.h"
-#include "ui/data/frame_series.h"
 #include "ui/workspace/key_images.h"
 
 using namespace volumen;

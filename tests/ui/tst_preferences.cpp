@@ -11,16 +11,16 @@
 #include <QTreeWidget>
 #include <QWheelEvent>
 
-#include "tests/ui/scene_session.h"
+#include "results/text/text.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/journey.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/mouse_table.h"
 #include "ui/panels/preferences_dialog.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/widgets/curve_editor.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 

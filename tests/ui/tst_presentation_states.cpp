@@ -5,10 +5,10 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+#include "results/pictures/paint_graphics.h"
 #include "tests/ui/derived_2d.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/open_session.h"
-#include "ui/views/paint_graphics.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/view_window.h"
 

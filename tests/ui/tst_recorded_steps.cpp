@@ -9,6 +9,7 @@
 
 #include "io/load.h"
 #include "io/open.h"
+#include "results/segments/segment_record.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/program.h"
 #include "tests/fixtures/seeds.h"
@@ -18,7 +19,6 @@
 #include "tests/unit/suite.h"
 #include "ui/controller/offered_steps.h"
 #include "ui/widgets/banner.h"
-#include "ui/workspace/segment_record.h"
 #include "viewer/segment/morphology.h"
 
 using namespace volumen;

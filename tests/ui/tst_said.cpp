@@ -10,6 +10,9 @@
 #include <glm/geometric.hpp>
 #include <random>
 
+#include "results/series/time_points.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/ui/gestures.h"
@@ -23,9 +26,6 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/link_text.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_point_text.h"
 #include "ui/workspace/time_points.h"
 
 using namespace volumen;

@@ -8,9 +8,9 @@
 #include <QTemporaryDir>
 #include <cmath>
 
+#include "results/text/value_text.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/value_text.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -4,10 +4,10 @@
 #include <QCheckBox>
 #include <QComboBox>
 
+#include "results/segments/segment_record.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"
-#include "ui/workspace/segment_record.h"
 
 using namespace volumen;
 using namespace volumen::tests;

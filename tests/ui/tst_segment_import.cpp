@@ -7,6 +7,7 @@
 #include "io/export/seg_nrrd.h"
 #include "tests/ui/import_window.h"
 #include "tests/unit/suite.h"
+#include "ui/workspace/series_segments.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -7,12 +7,13 @@
 #include <QSlider>
 #include <QTemporaryDir>
 
+#include "results/segments/region_colours.h"
 #include "tests/ui/segment_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/segment_layer.h"
 #include "ui/widgets/banner.h"
-#include "ui/workspace/region_colours.h"
+#include "ui/workspace/series_segments.h"
 
 using namespace volumen;
 using namespace volumen::tests;

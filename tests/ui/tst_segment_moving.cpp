@@ -5,9 +5,9 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "results/segments/segment_record.h"
 #include "tests/ui/overlap_window.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/segment_record.h"
 
 using namespace volumen;
 using namespace volumen::tests;

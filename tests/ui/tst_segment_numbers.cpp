@@ -12,15 +12,16 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "results/numbers/segment_charts.h"
+#include "results/numbers/segment_columns.h"
+#include "results/text/value_text.h"
 #include "tests/fixtures/program.h"
 #include "tests/ui/clean_settings.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/segment_chart_box.h"
 #include "ui/widgets/frozen_column.h"
-#include "ui/workspace/segment_charts.h"
-#include "ui/workspace/segment_columns.h"
-#include "ui/workspace/value_text.h"
+#include "ui/workspace/series_segments.h"
 #include "viewer/segment/numbers.h"
 
 using namespace volumen;

@@ -2,11 +2,11 @@
 #include <QCheckBox>
 #include <QMessageBox>
 
+#include "results/segments/segments.h"
 #include "tests/ui/session_folder.h"
 #include "tests/ui/sphere_segments.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/autosave.h"
-#include "ui/workspace/segments.h"
 #include "viewer/segment/numbers.h"
 
 using namespace volumen;

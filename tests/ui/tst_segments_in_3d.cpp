@@ -6,6 +6,7 @@
 #include "tests/unit/suite.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/series_segments.h"
 
 using namespace volumen;
 using namespace volumen::tests;

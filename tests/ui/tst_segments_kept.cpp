@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "io/export/seg_nrrd.h"
+#include "results/segments/segments.h"
 #include "tests/fixtures/chance.h"
 #include "tests/ui/session_folder.h"
 #include "tests/ui/sphere_segments.h"
@@ -12,7 +13,7 @@
 #include "ui/controller/label_changes.h"
 #include "ui/controller/open_session.h"
 #include "ui/controller/segment_files.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 #include "viewer/segment/brush.h"
 
 using namespace volumen;

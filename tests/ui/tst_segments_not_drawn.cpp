@@ -5,6 +5,7 @@
 
 #include "tests/ui/surface_session.h"
 #include "tests/unit/suite.h"
+#include "ui/workspace/series_segments.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -5,6 +5,7 @@
 #include <memory>
 #include <tuple>
 
+#include "results/segments/segments.h"
 #include "tests/fixtures/program.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/session_folder.h"
@@ -13,7 +14,7 @@
 #include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/camera_moves.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 #include "viewer/segment/range.h"
 
 using namespace volumen;

@@ -10,11 +10,11 @@
 
 #include "io/export/dicom_series.h"
 #include "io/thumbnail.h"
+#include "results/text/text.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/controller/thumbnails.h"
 #include "ui/panels/attributes_dialog.h"
-#include "ui/workspace/text.h"
 #include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;

@@ -4,10 +4,11 @@
 #include <QTemporaryDir>
 
 #include "io/index/index_path.h"
+#include "io/study/frame_series.h"
+#include "results/series/loaded_frame.h"
 #include "tests/ui/frames_window.h"
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/loader.h"
-#include "ui/data/frame_series.h"
 #include "ui/derivations/measured_numbers.h"
 #include "ui/panels/regions_panel.h"
 #include "ui/workspace/measurements.h"

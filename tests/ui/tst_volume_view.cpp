@@ -6,13 +6,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "tests/ui/scene_session.h"
+#include "results/text/text.h"
 #include "tests/ui/gestures.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/views/canvas.h"
 #include "ui/views/volume_view.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 

@@ -5,11 +5,11 @@
 #include <QLineEdit>
 #include <QMenu>
 
+#include "results/pictures/overlays.h"
 #include "tests/ui/frames_window.h"
 #include "tests/ui/hanging_window.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
-#include "ui/overlays/overlays.h"
 #include "ui/views/colour_bar.h"
 #include "ui/workspace/key_image_list.h"
 #include "ui/workspace/session_json.h"

@@ -3,6 +3,7 @@
 // CT.
 #include <QProcess>
 
+#include "results/segments/segments.h"
 #include "tests/fixtures/scarce_memory.h"
 #include "tests/ui/killed_window.h"
 #include "tests/ui/many_series.h"
@@ -10,7 +11,7 @@
 #include "tests/ui/session_folder.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 #include "viewer/segment/range.h"
 
 using namespace volumen;

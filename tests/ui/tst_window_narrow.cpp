@@ -6,9 +6,9 @@
 #include <QTreeWidget>
 
 #include "io/export/dicom_series.h"
+#include "results/pictures/overlays.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
-#include "ui/overlays/overlays.h"
 #include "ui/widgets/status_line.h"
 #include "viewer/phantoms/phantoms.h"
 

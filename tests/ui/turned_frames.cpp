@@ -4,11 +4,11 @@
 #include <cmath>
 #include <glm/matrix.hpp>
 
+#include "results/series/series_facts.h"
 #include "tests/fixtures/slice_twin.h"
 #include "tests/fixtures/small_volumes.h"
 #include "ui/controller/slice_service.h"
 #include "ui/workspace/hanging_protocol.h"
-#include "ui/workspace/series_facts.h"
 
 namespace volumen::tests {
 

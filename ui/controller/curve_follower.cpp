@@ -4,14 +4,14 @@
 #include <new>
 #include <utility>
 
+#include "results/segments/segment_maps.h"
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
+#include "results/segments/step_work.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
-#include "ui/controller/step_work.h"
 #include "ui/workspace/curve_spans.h"
 #include "ui/workspace/segment_change_text.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include "results/pictures/reduced_copy.h"
 #include "ui/controller/qt_gl_context.h"
-#include "ui/controller/reduced_copy.h"
 #include "viewer/render/memory_need.h"
 #include "viewer/volume/available_memory.h"
 

@@ -4,8 +4,8 @@
 #include <iterator>
 
 #include "io/curved.h"
+#include "io/study/frame_series.h"
 #include "io/study/study.h"
-#include "ui/data/frame_series.h"
 #include "ui/data/picture_stacks.h"
 
 namespace volumen {

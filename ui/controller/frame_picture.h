@@ -2,7 +2,7 @@
 
 #include <QImage>
 
-#include "ui/data/loaded_frame.h"
+#include "results/series/loaded_frame.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "io/frames.h"
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
 #include "ui/data/picture_index.h"
 #include "ui/document/no_memory.h"
 #include "viewer/volume/parallel.h"

@@ -4,13 +4,13 @@
 #include <array>
 #include <utility>
 
+#include "results/segments/segment_maps.h"
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/overlays/view_overlays.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 
 namespace volumen {
 

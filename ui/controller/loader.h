@@ -4,10 +4,10 @@
 #include <functional>
 #include <memory>
 
+#include "results/series/loaded_series.h"
 #include "ui/controller/locate.h"
 #include "ui/controller/open_intent.h"
 #include "ui/controller/open_session.h"
-#include "ui/data/loaded_series.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/needed_series.h"
 #include "ui/workspace/session.h"

@@ -5,10 +5,10 @@
 
 #include "io/curved.h"
 #include "io/index/index_path.h"
+#include "results/text/text.h"
 #include "ui/controller/find_saved.h"
 #include "ui/data/picture_stacks.h"
 #include "ui/workspace/moved.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

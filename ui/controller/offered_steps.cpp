@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
 #include "viewer/recipe/step_names.h"
 
 namespace volumen {

@@ -11,12 +11,12 @@
 #include "io/index/index_path.h"
 #include "io/open.h"
 #include "io/zip_archive.h"
+#include "results/segments/segment_maps.h"
+#include "results/text/text.h"
 #include "ui/controller/find_saved.h"
 #include "ui/controller/segment_files.h"
 #include "ui/data/picture_stacks.h"
-#include "ui/workspace/segment_maps.h"
 #include "ui/workspace/session_json.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -5,12 +5,13 @@
 #include <utility>
 
 #include "io/study/choose.h"
+#include "io/study/frame_series.h"
+#include "results/series/time_points.h"
+#include "results/text/text.h"
 #include "ui/controller/find_saved.h"
-#include "ui/data/frame_series.h"
 #include "ui/data/study_list.h"
 #include "ui/workspace/first_series.h"
 #include "ui/workspace/priors.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {

@@ -2,10 +2,11 @@
 
 #include <utility>
 
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_edits.h"
 #include "ui/controller/segment_target.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
+#include "ui/workspace/series_segments.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

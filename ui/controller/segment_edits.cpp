@@ -6,11 +6,11 @@
 #include <memory>
 #include <utility>
 
+#include "results/segments/segment_maps.h"
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
 #include "viewer/recipe/scissors.h"
 #include "viewer/recipe/step_kinds.h"
 

@@ -15,9 +15,9 @@
 #include "io/files/session_file.h"
 #include "io/index/index_path.h"
 #include "io/load.h"
+#include "results/text/text.h"
 #include "ui/controller/label_changes.h"
 #include "ui/workspace/session_json.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

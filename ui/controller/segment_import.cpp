@@ -7,9 +7,9 @@
 
 #include "io/export/read_segments.h"
 #include "io/load.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
+#include "results/segments/segment_maps.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

@@ -4,14 +4,15 @@
 #include <new>
 #include <utility>
 
+#include "results/numbers/series_columns.h"
+#include "results/segments/segment_maps.h"
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/controller/segments_on_slices.h"
 #include "ui/workspace/segment_change_text.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/series_columns.h"
-#include "ui/workspace/text.h"
+#include "ui/workspace/series_segments.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "io/export/export_segments.h"
+#include "results/segments/step_work.h"
 #include "ui/controller/segment_painter.h"
-#include "ui/controller/step_work.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
 #include "viewer/segment/bit_mask.h"

@@ -2,10 +2,11 @@
 
 #include <utility>
 
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/workspace/segment_change_text.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
+#include "ui/workspace/series_segments.h"
 
 namespace volumen {
 

@@ -4,10 +4,10 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "results/segments/segment_record.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/workspace/curve_spans.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/text.h"
 #include "viewer/segment/parts.h"
 
 namespace volumen {

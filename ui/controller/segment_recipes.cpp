@@ -5,11 +5,10 @@
 #include <set>
 #include <utility>
 
-#include "ui/controller/step_work.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/series_facts.h"
-#include "ui/workspace/text.h"
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
+#include "results/segments/step_work.h"
+#include "results/text/text.h"
 #include "viewer/recipe/step_names.h"
 
 namespace volumen {
@@ -73,26 +72,6 @@ Result<SegmentMap> withRecipe(const Recipe& recipe, SegmentMap map, RecipeUse us
 }
 
 }  // namespace
-
-std::vector<const Recipe*> recipesFor(const std::string& modality) {
-  std::vector<const Recipe*> found;
-  for (const Recipe& recipe : builtInRecipes())
-    if (std::ranges::find(recipe.modalities, modality) != recipe.modalities.end()) found.push_back(&recipe);
-  return found;
-}
-
-std::vector<std::string> notesOf(const Recipe& recipe, const Series& series) {
-  std::vector<std::string> notes;
-  const std::vector<std::string>& all = recipe.modalities;
-  const std::string& modality = series.modality;
-  if (!all.empty() && !modality.empty() && std::ranges::find(all, modality) == all.end())
-    notes.push_back("The recipe \"" + recipe.name + "\" is for " + all.front() + ", the series is " +
-                    modality + ": look at what it found.");
-  if (recipe.needsContrast && series.format == "DICOM" && !namesContrast(series))
-    notes.push_back("The header names no contrast agent: the recipe \"" + recipe.name +
-                    "\" is for series with one, look at what it found.");
-  return notes;
-}
 
 SegmentWork workOf(const Recipe& recipe, const SeriesKey& series, VolumePtr volume, const Mask& mask,
                    RecipeUse use) {

@@ -2,9 +2,10 @@
 
 #include <algorithm>
 
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
+#include "results/segments/segment_maps.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
+#include "ui/workspace/series_segments.h"
 
 namespace volumen {
 

@@ -6,7 +6,7 @@
 #include "io/export/segments_file.h"
 #include "io/load.h"
 #include "io/study/series.h"
-#include "ui/workspace/segment_record.h"
+#include "results/segments/segment_record.h"
 #include "viewer/segment/labels_on.h"
 
 namespace volumen {

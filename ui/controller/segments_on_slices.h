@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ui/workspace/segment_map.h"
+#include "results/segments/segment_map.h"
 #include "viewer/segment/segmented.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/result.h"

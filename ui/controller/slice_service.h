@@ -4,9 +4,9 @@
 #include <memory>
 #include <optional>
 
+#include "results/series/loaded_frame.h"
 #include "ui/controller/segment_layer.h"
 #include "ui/controller/slice_image.h"
-#include "ui/data/loaded_frame.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/view_id.h"
 

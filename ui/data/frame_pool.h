@@ -3,7 +3,7 @@
 #include <map>
 #include <vector>
 
-#include "ui/data/loaded_frame.h"
+#include "results/series/loaded_frame.h"
 
 namespace volumen {
 

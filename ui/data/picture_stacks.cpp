@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "io/study/arrange.h"
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
 
 namespace volumen {
 

@@ -7,8 +7,8 @@
 #include <mutex>
 #include <vector>
 
-#include "ui/data/loaded_series.h"
-#include "ui/data/series_key.h"
+#include "io/study/series_key.h"
+#include "results/series/loaded_series.h"
 #include "viewer/segment/mask.h"
 
 namespace volumen {

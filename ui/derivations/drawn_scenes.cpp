@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "results/segments/segments.h"
 #include "ui/controller/segment_painter.h"
-#include "ui/workspace/segments.h"
 
 namespace volumen {
 

@@ -2,8 +2,8 @@
 
 #include <span>
 
+#include "results/text/text.h"
 #include "ui/workspace/needed_series.h"
-#include "ui/workspace/text.h"
 #include "viewer/scene/automatic.h"
 
 namespace volumen {

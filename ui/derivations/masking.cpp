@@ -3,7 +3,7 @@
 #include <QAction>
 #include <utility>
 
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 #include "viewer/scene/automatic.h"
 
 namespace volumen {

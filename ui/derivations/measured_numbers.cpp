@@ -4,9 +4,10 @@
 #include <algorithm>
 #include <limits>
 
+#include "results/series/loaded_frame.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/workspace/measurements.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 #include "ui/workspace/when_changed.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/scaled.h"

@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/controller/time_steps.h"
+#include "results/series/loaded_frame.h"
+#include "results/series/time_steps.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/workspace/measurements.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
-#include "ui/workspace/value_text.h"
 
 namespace volumen {
 
@@ -109,6 +110,13 @@ MeasurementCharts::Rule measurementChartsRule(const Session& session,
           .lacksMemory = outOfMemory,
           .wasCancelled =
               tr("Reading was cancelled. Choose the measurement again to read the rest.").toStdString()};
+}
+
+TimeSteps timeStepsOf(const Session& session, const SeriesKey& series) {
+  TimeSteps steps = timeStepsOf(timePointsOf(session.workspace(), series), shownPetUnit());
+  for (TimeStep& step : steps.all)
+    if (const LoadedSeriesPtr loaded = session.seriesNamed(keyOf(step.series))) step.volume = loaded->volume;
+  return steps;
 }
 
 }  // namespace volumen

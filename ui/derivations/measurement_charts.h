@@ -2,9 +2,10 @@
 
 #include <optional>
 
+#include "results/numbers/measurement_chart.h"
+#include "results/series/time_steps.h"
 #include "ui/controller/frame_service.h"
 #include "ui/document/derivation.h"
-#include "ui/workspace/measurement_chart.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {
@@ -32,5 +33,8 @@ std::optional<ChartKey> chartKeyOf(const Session& session, FrameService& frames,
 /// memory, one after another. The user can cancel it.
 MeasurementCharts::Rule measurementChartsRule(const Session& session,
                                               std::function<std::optional<ChartKey>()> wanted);
+
+/// Returns the time points of a series in the workspace, in the unit shown.
+TimeSteps timeStepsOf(const Session& session, const SeriesKey& series);
 
 }  // namespace volumen

@@ -1,8 +1,8 @@
 #include "ui/derivations/segment_numbers.h"
 
+#include "results/text/text.h"
 #include "ui/controller/segment_painter.h"
 #include "ui/controller/segment_target.h"
-#include "ui/workspace/text.h"
 #include "viewer/segment/bit_mask.h"
 
 namespace volumen {

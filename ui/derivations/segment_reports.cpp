@@ -4,9 +4,9 @@
 #include <iterator>
 #include <span>
 
+#include "results/text/text.h"
 #include "ui/controller/segment_painter.h"
 #include "ui/controller/segment_target.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 
@@ -34,7 +34,7 @@ Reports voxelReportsOf(const SegmentReportsKey& key, const CancelToken& cancel) 
 
 // The job reports which segment is measured.
 Reports withSurfaces(std::vector<SegmentReport> all, const SegmentReportsKey& key, bool withPeaks,
-                  const Job& job) {
+                     const Job& job) {
   std::size_t first = 0;
   for (const SegmentMap& map : key.maps) {
     const auto ofMap = std::span(all).subspan(first, map.segments.size());

@@ -3,9 +3,9 @@
 #include <functional>
 #include <vector>
 
+#include "results/numbers/segment_report.h"
+#include "results/segments/segment_map.h"
 #include "ui/document/derivation.h"
-#include "ui/workspace/segment_map.h"
-#include "ui/workspace/segment_report.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {

@@ -3,8 +3,8 @@
 #include <span>
 #include <utility>
 
+#include "results/segments/segment_surfaces.h"
 #include "ui/document/derivation.h"
-#include "ui/workspace/segment_surfaces.h"
 #include "ui/workspace/session.h"
 #include "viewer/segment/bit_mask.h"
 
@@ -34,16 +34,5 @@ KeptVoxels::Rule keptVoxelsRule(const Session& session);
 SurfaceFields::Rule surfaceFieldsRule(const Session& session, const SegmentPainter& painter,
                                       const KeptVoxels& kept, const SurfaceFields& fields,
                                       std::size_t mostBytes);
-
-/// Returns the memory limit for the fields of all surfaces: a quarter of the machine's memory.
-std::size_t mostSurfaceBytes();
-
-/// Returns the segments of a series' maps as 3D views show them, on the grid of its volume, within
-/// `mostBytes`. Maps without labels or on another grid have none. `whole` is the unmasked volume; `mask` is
-/// applied. An Error is the reason why a segment is not drawn. Slow. After a cancellation some are missing.
-std::vector<std::pair<SurfaceKey, Result<FieldPtr>>> surfacesOf(std::span<const SegmentMap> maps,
-                                                                const Volume& whole, const Mask& mask,
-                                                                std::size_t mostBytes,
-                                                                const CancelToken& cancel = {});
 
 }  // namespace volumen

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "results/segments/segment_surfaces.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_painter.h"
-#include "ui/workspace/segment_surfaces.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
 #include "viewer/scene/automatic.h"
 #include "viewer/segment/mask.h"
 #include "viewer/segment/table.h"

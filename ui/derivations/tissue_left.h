@@ -2,9 +2,9 @@
 
 #include <set>
 
+#include "results/segments/tissue.h"
 #include "ui/document/derivation.h"
 #include "ui/workspace/session.h"
-#include "ui/workspace/tissue.h"
 
 namespace volumen {
 

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <utility>
 
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

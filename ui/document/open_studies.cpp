@@ -5,9 +5,9 @@
 #include <string_view>
 #include <utility>
 
-#include "ui/data/frame_series.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_points.h"
+#include "io/study/frame_series.h"
+#include "results/series/time_points.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "io/study/series_key.h"
 #include "io/study/study.h"
 #include "ui/data/derived_key.h"
-#include "ui/data/series_key.h"
 #include "ui/workspace/workspace.h"
 
 namespace volumen {

@@ -7,11 +7,11 @@
 #include <limits>
 #include <set>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/text/text.h"
 #include "ui/derivations/measured_numbers.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/links.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -3,8 +3,8 @@
 #include <QPrinter>
 #include <QSaveFile>
 
+#include "results/text/text.h"
 #include "ui/exports/picture_sink.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

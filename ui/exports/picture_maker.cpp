@@ -1,6 +1,6 @@
 #include "ui/exports/picture_maker.h"
 
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

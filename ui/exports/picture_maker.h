@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "io/files/picture_file.h"
+#include "results/pictures/overlays.h"
 #include "ui/document/job_lane.h"
-#include "ui/overlays/overlays.h"
 #include "ui/workspace/picture_look.h"
 
 namespace volumen {

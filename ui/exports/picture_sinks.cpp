@@ -3,9 +3,9 @@
 #include <QGuiApplication>
 #include <QTemporaryDir>
 
+#include "results/text/text.h"
 #include "ui/exports/picture_sink.h"
 #include "ui/overlays/slice_sheet.h"
-#include "ui/workspace/text.h"
 #include "viewer/volume/free_name.h"
 
 namespace volumen {

@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/overlays/annotate.h"
+#include "results/pictures/annotate.h"
+#include "results/text/text.h"
 #include "ui/overlays/view_overlays.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 
@@ -17,6 +17,21 @@ constexpr double leastPart = 0.02;  // no estimate is made below this share
 QString leftText(double seconds) {
   if (seconds < 60) return tr("%1 s left").arg(std::ceil(seconds));
   return tr("%1 min left").arg(std::ceil(seconds / 60));
+}
+
+// Returns the overlays of a view that are chosen for a picture, and the warnings among them.
+Overlays chosenOverlays(const Overlays& all, const Annotations& chosen,
+                        const std::vector<Warning>& warnings) {
+  Overlays o;
+  if (chosen.warnings) o = warningOverlays(warnings);
+  if (chosen.patient) o.topLeft = all.topLeft;
+  if (chosen.scaleBar) o.mmPerPixel = all.mmPerPixel;
+  if (!chosen.letters) return o;
+  o.left = all.left;
+  o.right = all.right;
+  o.top = all.top;
+  o.bottom = all.bottom;
+  return o;
 }
 
 class ScenePictures : public QObject, public PictureMaker {

@@ -6,7 +6,8 @@
 #include <QPointer>
 #include <algorithm>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/text/text.h"
 #include "ui/features/feature.h"
 #include "ui/features/go_to_picture.h"
 #include "ui/panels/regions_panel.h"
@@ -14,7 +15,6 @@
 #include "ui/tools/tool.h"
 #include "ui/views/frame_view.h"
 #include "ui/workspace/derived_text.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

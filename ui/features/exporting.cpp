@@ -5,7 +5,7 @@
 #include <QPrinter>
 #include <QStandardPaths>
 
-#include "ui/workspace/series_text.h"
+#include "results/text/series_text.h"
 
 namespace volumen {
 

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/views/frame_view.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/edit_workspace.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -3,10 +3,10 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "results/series/time_points.h"
 #include "ui/features/feature.h"
 #include "ui/views/first_image.h"
 #include "ui/views/view_grid.h"
-#include "ui/workspace/time_points.h"
 #include "ui/workspace/view_window.h"
 
 namespace volumen {

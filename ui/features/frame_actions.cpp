@@ -1,7 +1,8 @@
 #include <QMenu>
 #include <algorithm>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/text/text.h"
 #include "ui/features/feature.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/pet_unit_menu.h"
@@ -9,7 +10,6 @@
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 #include "ui/workspace/view_window.h"
 #include "ui/workspace/when_changed.h"

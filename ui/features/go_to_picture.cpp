@@ -1,10 +1,11 @@
 #include "ui/features/go_to_picture.h"
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/series/series_facts.h"
+#include "results/text/text.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/key_images.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/view_window.h"
 
 namespace volumen {

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <set>
 
+#include "results/series/series_facts.h"
+#include "results/text/text.h"
 #include "ui/features/facing_views.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/edit_workspace.h"
 #include "ui/workspace/own_protocols.h"
 #include "ui/workspace/patients.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

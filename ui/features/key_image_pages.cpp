@@ -1,11 +1,11 @@
 #include <QStandardPaths>
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/exports/flat_pictures.h"
 #include "ui/features/exporting.h"
 #include "ui/panels/pages_dialog.h"
 #include "ui/workspace/key_image_list.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -1,6 +1,6 @@
 #include "ui/features/key_table.h"
 
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 
@@ -13,7 +13,8 @@ std::vector<KeyRow> keyRows() {
       {tr("Wheel in 3D, two fingers apart"), tr("zoom at the cursor")},
       {tr("Double-click"), tr("maximise the view and back")},
       {tr("D in 3D"),
-       tr("measure a length between places of the visible surface, by a drag or two clicks (an angle: Tools > "
+       tr("measure a length between places of the visible surface, by a drag or two clicks (an angle: Tools "
+          "> "
           "Measure); a click selects one, its points can be dragged, Delete removes it, Esc gives up")},
       {tr("Arrow keys in 3D"), tr("rotate by 5 degrees (Shift: 1)")},
       {tr("Keypad 1, 3, 7"), tr("anterior, left, superior view (Ctrl: the opposite one)")},

@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <optional>
 
+#include "results/series/time_points.h"
 #include "ui/features/feature.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/view_grid.h"
-#include "ui/workspace/time_points.h"
 
 namespace volumen {
 

@@ -3,6 +3,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "results/series/loaded_frame.h"
 #include "ui/features/action_text.h"
 #include "ui/features/feature.h"
 #include "ui/features/theme.h"

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

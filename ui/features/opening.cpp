@@ -5,12 +5,12 @@
 
 #include "io/export/read_segments.h"
 #include "io/files/session_file.h"
+#include "results/text/text.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/path_dialog.h"
 #include "ui/workspace/dropped_files.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

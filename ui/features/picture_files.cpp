@@ -1,11 +1,11 @@
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/exports/flat_pictures.h"
 #include "ui/features/exporting.h"
 #include "ui/panels/picture_dialog.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/frame_look.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/view_window.h"
 
 namespace volumen {

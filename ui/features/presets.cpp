@@ -1,10 +1,10 @@
 #include <QMenu>
 
+#include "results/pictures/own_presets.h"
+#include "results/text/text.h"
 #include "ui/controller/preset_thumbnails.h"
 #include "ui/features/feature.h"
 #include "ui/panels/preset_bar.h"
-#include "ui/workspace/own_presets.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -3,12 +3,12 @@
 #include <QPrinter>
 #include <QPushButton>
 
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "ui/exports/flat_pictures.h"
 #include "ui/exports/views_picture.h"
 #include "ui/features/exporting.h"
 #include "ui/views/view_grid.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

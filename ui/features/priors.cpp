@@ -4,12 +4,12 @@
 #include <tuple>
 #include <utility>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/text/text.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
 #include "ui/workspace/links.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {

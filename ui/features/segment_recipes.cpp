@@ -1,14 +1,14 @@
 #include <QPointer>
 
+#include "results/segments/recipes.h"
+#include "results/segments/segment_maps.h"
+#include "results/text/text.h"
 #include "ui/controller/file_jobs.h"
-#include "ui/controller/recipe_files.h"
 #include "ui/controller/segment_recipes.h"
 #include "ui/controller/segment_target.h"
 #include "ui/features/feature.h"
 #include "ui/panels/steps_dialog.h"
 #include "ui/widgets/path_dialog.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -2,12 +2,12 @@
 
 #include <QDropEvent>
 
+#include "results/text/text.h"
 #include "ui/controller/segment_import.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/path_dialog.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/dropped_files.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

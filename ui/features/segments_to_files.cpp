@@ -6,11 +6,11 @@
 #include <algorithm>
 
 #include "io/export/export_segments.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/controller/segments_on_slices.h"
 #include "ui/panels/surface_dialog.h"
 #include "ui/widgets/path_dialog.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

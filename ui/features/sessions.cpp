@@ -8,12 +8,12 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "ui/controller/autosave.h"
 #include "ui/features/feature.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/offer_bar.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

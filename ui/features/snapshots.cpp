@@ -1,8 +1,8 @@
+#include "results/text/text.h"
 #include "ui/exports/scene_pictures.h"
 #include "ui/features/exporting.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/views/view_grid.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

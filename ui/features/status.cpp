@@ -1,7 +1,7 @@
+#include "results/text/series_text.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/status_line.h"
-#include "ui/workspace/series_text.h"
 
 namespace volumen {
 

@@ -1,5 +1,6 @@
 #include <QMenu>
 
+#include "results/text/text.h"
 #include "ui/features/feature.h"
 #include "ui/panels/attributes_dialog.h"
 #include "ui/panels/flat_menus.h"
@@ -7,7 +8,6 @@
 #include "ui/panels/study_model.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/banner.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

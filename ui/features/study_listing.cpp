@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <deque>
 
+#include "results/series/series_facts.h"
+#include "results/text/text.h"
 #include "ui/features/feature.h"
 #include "ui/panels/study_browser.h"
 #include "ui/views/view_grid.h"
@@ -13,7 +15,6 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/indexed_text.h"
 #include "ui/workspace/patients.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

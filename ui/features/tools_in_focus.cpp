@@ -1,11 +1,11 @@
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/features/action_text.h"
 #include "ui/features/feature.h"
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

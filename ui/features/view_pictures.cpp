@@ -1,7 +1,7 @@
+#include "results/text/text.h"
 #include "ui/exports/views_picture.h"
 #include "ui/features/exporting.h"
 #include "ui/views/view_grid.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

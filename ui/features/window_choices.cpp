@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/text/value_text.h"
 #include "ui/features/feature.h"
 #include "ui/panels/windows_dialog.h"
 #include "ui/tools/tool.h"
 #include "ui/views/flat_view.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/value_text.h"
 
 namespace volumen {
 

@@ -5,12 +5,12 @@
 #include <functional>
 #include <map>
 
+#include "results/pictures/own_presets.h"
 #include "ui/controller/accuracy_meter.h"
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/draw_service.h"
 #include "ui/controller/frame_service.h"
 #include "ui/controller/loader.h"
-#include "ui/derivations/measured_numbers.h"
 #include "ui/controller/opener.h"
 #include "ui/controller/recent_files.h"
 #include "ui/controller/segment_editing.h"
@@ -18,10 +18,10 @@
 #include "ui/controller/slice_service.h"
 #include "ui/controller/study_sources.h"
 #include "ui/derivations/drawn_scenes.h"
+#include "ui/derivations/measured_numbers.h"
 #include "ui/document/jobs.h"
 #include "ui/document/open_studies.h"
 #include "ui/features/menus.h"
-#include "ui/workspace/own_presets.h"
 #include "ui/workspace/session.h"
 
 class QDockWidget;

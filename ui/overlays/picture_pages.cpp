@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/overlays/picture_font.h"
+#include "results/pictures/picture_font.h"
+#include "results/text/text.h"
 #include "ui/workspace/corner_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

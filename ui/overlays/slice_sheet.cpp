@@ -4,9 +4,9 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "ui/overlays/overlays.h"
-#include "ui/overlays/picture_font.h"
-#include "ui/overlays/readable_text.h"
+#include "results/pictures/overlays.h"
+#include "results/pictures/picture_font.h"
+#include "results/pictures/readable_text.h"
 
 namespace volumen {
 

@@ -1,9 +1,9 @@
 #include "ui/overlays/view_overlays.h"
 
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/corner_text.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

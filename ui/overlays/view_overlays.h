@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ui/data/loaded_series.h"
-#include "ui/overlays/overlays.h"
+#include "results/pictures/overlays.h"
+#include "results/series/loaded_series.h"
 
 namespace volumen {
 

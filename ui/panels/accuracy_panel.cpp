@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/plots/picture_image.h"
+#include "results/plots/picture_image.h"
 #include "ui/widgets/plain_text.h"
 
 namespace volumen {

@@ -13,10 +13,10 @@
 #include <set>
 #include <utility>
 
+#include "results/text/text.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/picture_in_focus.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

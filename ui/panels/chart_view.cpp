@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/plots/chart.h"
-#include "ui/workspace/text.h"
+#include "results/plots/chart.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

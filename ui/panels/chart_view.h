@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "ui/workspace/measurement_chart.h"
+#include "results/numbers/measurement_chart.h"
 
 namespace volumen {
 

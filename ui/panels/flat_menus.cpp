@@ -5,10 +5,10 @@
 #include <QWidgetAction>
 #include <cmath>
 
+#include "results/series/time_points.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "ui/workspace/link_text.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_points.h"
 
 namespace volumen {
 

@@ -3,12 +3,12 @@
 #include <QMenu>
 #include <QVBoxLayout>
 
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/slab_menu.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/view_window.h"
 
 namespace volumen {

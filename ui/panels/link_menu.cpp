@@ -1,8 +1,8 @@
 #include "ui/panels/link_menu.h"
 
+#include "results/text/text.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/link_text.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

@@ -10,13 +10,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "results/numbers/series_columns.h"
+#include "results/text/text.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/path_dialog.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/measurements.h"
-#include "ui/workspace/series_columns.h"
-#include "ui/workspace/text.h"
 #include "viewer/measure/shape_json.h"
 
 namespace volumen {

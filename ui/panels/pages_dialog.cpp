@@ -2,6 +2,7 @@
 
 #include <QFormLayout>
 
+#include "results/text/text.h"
 #include "ui/panels/picture_dialog.h"
 #include "ui/widgets/plain_text.h"
 

@@ -2,8 +2,8 @@
 
 #include <QActionGroup>
 
+#include "results/text/text.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "results/text/text.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -8,9 +8,9 @@
 #include <QStyledItemDelegate>
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/untinted_icon.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

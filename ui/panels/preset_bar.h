@@ -5,7 +5,7 @@
 #include <QImage>
 #include <functional>
 
-#include "ui/workspace/own_presets.h"
+#include "results/pictures/own_presets.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {

@@ -7,11 +7,11 @@
 #include <cmath>
 #include <utility>
 
+#include "results/segments/region_colours.h"
+#include "results/text/text.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/derived_text.h"
-#include "ui/workspace/region_colours.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

@@ -6,9 +6,10 @@
 #include <algorithm>
 
 #include "io/study/series.h"
+#include "results/series/series_facts.h"
+#include "results/text/text.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/patients.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

@@ -5,7 +5,7 @@
 #include "ui/panels/sources.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/clip_box.h"
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

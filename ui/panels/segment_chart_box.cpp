@@ -4,12 +4,15 @@
 #include <QGuiApplication>
 #include <algorithm>
 
+#include "results/numbers/segment_charts.h"
+#include "results/numbers/segments_over_time.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/controller/segment_time_values.h"
+#include "ui/derivations/measurement_charts.h"
 #include "ui/widgets/fields.h"
-#include "ui/workspace/segment_charts.h"
-#include "ui/workspace/text.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/time_points.h"
-#include "ui/workspace/value_text.h"
 
 namespace volumen {
 

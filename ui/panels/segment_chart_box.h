@@ -6,11 +6,11 @@
 #include <optional>
 #include <vector>
 
-#include "ui/controller/time_steps.h"
+#include "results/numbers/segment_report.h"
+#include "results/numbers/segments_over_time.h"
+#include "results/series/time_steps.h"
 #include "ui/document/derivation.h"
 #include "ui/panels/chart_view.h"
-#include "ui/workspace/segment_report.h"
-#include "ui/workspace/segments_over_time.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {

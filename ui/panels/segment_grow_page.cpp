@@ -1,10 +1,13 @@
 #include "ui/panels/segment_grow_page.h"
 
+#include <QHBoxLayout>
+#include <QVBoxLayout>
+
+#include "results/text/text.h"
 #include "ui/controller/lesion.h"
 #include "ui/controller/segment_edits.h"
 #include "ui/panels/sources.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -11,6 +11,10 @@
 #include <glm/common.hpp>
 #include <utility>
 
+#include "results/segments/region_colours.h"
+#include "results/segments/segment_maps.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_edits.h"
 #include "ui/controller/segment_target.h"
 #include "ui/panels/segment_tree.h"
@@ -18,10 +22,7 @@
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/untinted_icon.h"
-#include "ui/workspace/region_colours.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
+#include "ui/workspace/series_segments.h"
 
 namespace volumen {
 

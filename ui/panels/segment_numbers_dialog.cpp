@@ -12,18 +12,18 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "results/numbers/csv.h"
+#include "results/numbers/segment_columns.h"
+#include "results/numbers/series_columns.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/frozen_column.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/path_dialog.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
-#include "ui/workspace/csv.h"
-#include "ui/workspace/segment_columns.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/series_columns.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 
 namespace volumen {
 

@@ -2,12 +2,12 @@
 
 #include <QSignalBlocker>
 
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/panels/sources.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
 #include "viewer/segment/between_slices.h"
 
 namespace volumen {

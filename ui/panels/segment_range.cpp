@@ -8,15 +8,16 @@
 #include <cmath>
 #include <utility>
 
+#include "results/segments/segment_record.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/controller/segment_parts.h"
 #include "ui/controller/segment_target.h"
 #include "ui/panels/sources.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/curve_spans.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
+#include "results/segments/segments.h"
+#include "ui/workspace/series_segments.h"
 #include "ui/workspace/when_changed.h"
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/scene/visible_range.h"

@@ -2,10 +2,10 @@
 
 #include <QGridLayout>
 
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -5,7 +5,7 @@
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 
 namespace volumen {
 

@@ -5,13 +5,14 @@
 #include <QLocale>
 #include <QMenu>
 
-#include "ui/controller/segment_recipes.h"
+#include "results/segments/recipes.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
+#include "results/segments/segments.h"
+#include "ui/workspace/series_segments.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

@@ -7,12 +7,12 @@
 #include <QTimer>
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/panels/study_model.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/untinted_icon.h"
 #include "ui/workspace/dragged_series.h"
 #include "ui/workspace/indexed_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -3,10 +3,11 @@
 #include <QActionGroup>
 #include <QWidgetAction>
 
+#include "results/text/text.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/tools/tool.h"
 #include "ui/widgets/fields.h"
-#include "ui/workspace/text.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

@@ -3,9 +3,10 @@
 #include <QGridLayout>
 #include <QSignalBlocker>
 
+#include "results/text/text.h"
 #include "ui/widgets/colour_button.h"
 #include "ui/widgets/fields.h"
-#include "ui/workspace/text.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 

@@ -6,13 +6,13 @@
 #include <cmath>
 #include <utility>
 
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 #include "viewer/recipe/step_names.h"
 
 namespace volumen {

@@ -2,10 +2,11 @@
 
 #include <QFontDatabase>
 
+#include "results/segments/segment_maps.h"
+#include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/fields.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/text.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {

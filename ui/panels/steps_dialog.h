@@ -5,7 +5,7 @@
 #include <QPlainTextEdit>
 #include <QPushButton>
 
-#include "ui/workspace/segment_record.h"
+#include "results/segments/segment_record.h"
 #include "ui/workspace/session.h"
 
 namespace volumen {

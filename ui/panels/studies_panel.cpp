@@ -14,17 +14,16 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/study/frame_series.h"
 #include "io/thumbnail.h"
-#include "ui/data/frame_series.h"
-#include "ui/overlays/readable_text.h"
+#include "results/pictures/readable_text.h"
+#include "results/series/time_points.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "ui/panels/studies_panel_roles.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/untinted_icon.h"
 #include "ui/workspace/dragged_series.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_point_text.h"
-#include "ui/workspace/time_points.h"
 
 namespace volumen {
 

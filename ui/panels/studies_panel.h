@@ -4,8 +4,8 @@
 #include <QTreeWidget>
 #include <vector>
 
+#include "results/series/loaded_series.h"
 #include "ui/controller/thumbnails.h"
-#include "ui/data/loaded_series.h"
 #include "ui/document/open_studies.h"
 
 class QMenu;

@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <unordered_set>
 
+#include "results/text/text.h"
 #include "ui/panels/studies_panel.h"
 #include "ui/panels/studies_panel_roles.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/derived_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <tuple>
 
+#include "results/text/text.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/dragged_series.h"
 #include "ui/workspace/indexed_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

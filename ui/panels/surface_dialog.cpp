@@ -5,11 +5,12 @@
 #include <QTableWidget>
 #include <QVBoxLayout>
 
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/controller/segment_jobs.h"
 #include "ui/controller/segments_on_slices.h"
 #include "ui/widgets/fields.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 

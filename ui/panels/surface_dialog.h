@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "io/export/export_segments.h"
+#include "results/segments/segments.h"
 #include "ui/document/job_lane.h"
-#include "ui/workspace/segments.h"
 
 class QCheckBox;
 class QComboBox;

@@ -5,10 +5,10 @@
 #include <QStackedWidget>
 #include <cmath>
 
+#include "results/text/text.h"
 #include "ui/panels/sources.h"
 #include "ui/panels/window_fields.h"
 #include "ui/widgets/plain_text.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/windows.h"
 #include "viewer/scene/modes.h"
 

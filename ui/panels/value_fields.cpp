@@ -3,9 +3,10 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/widgets/fields.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 

@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/widgets/fields.h"
-#include "ui/workspace/value_text.h"
+#include "ui/widgets/plain_text.h"
 #include "ui/workspace/when_changed.h"
+#include "ui/workspace/windows.h"
 
 namespace volumen {
 

@@ -1,9 +1,9 @@
 #include <cmath>
 
+#include "results/text/text.h"
 #include "ui/tools/tool.h"
-#include "viewer/scene/curve_edits.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/windows.h"
+#include "viewer/scene/curve_edits.h"
 
 namespace volumen {
 

@@ -3,11 +3,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "results/text/text.h"
 #include "ui/controller/lesion.h"
 #include "ui/controller/segment_editing.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/links.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

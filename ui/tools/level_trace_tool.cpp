@@ -1,9 +1,9 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include "results/text/text.h"
 #include "ui/controller/segment_editing.h"
 #include "ui/tools/tool.h"
-#include "ui/workspace/text.h"
 #include "viewer/slice/level_trace.h"
 
 namespace volumen {

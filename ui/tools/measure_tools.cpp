@@ -2,11 +2,11 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "results/text/text.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/spine_labels.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

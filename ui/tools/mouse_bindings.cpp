@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/tools/tool.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -1,8 +1,8 @@
 #include <cmath>
 
+#include "results/text/text.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/camera_moves.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

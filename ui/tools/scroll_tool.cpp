@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
 

@@ -2,10 +2,10 @@
 #include <glm/geometric.hpp>
 #include <iterator>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/text/text.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

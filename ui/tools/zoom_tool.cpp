@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/text/text.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/camera_moves.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

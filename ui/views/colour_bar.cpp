@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "ui/overlays/readable_text.h"
+#include "results/pictures/readable_text.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/tools/tool.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 #include "ui/workspace/view_window.h"
 #include "ui/workspace/windows.h"
 

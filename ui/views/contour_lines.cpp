@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ui/workspace/region_colours.h"
+#include "results/segments/region_colours.h"
 
 namespace volumen {
 

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/overlays/overlays.h"
+#include "results/pictures/overlays.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/measurement.h"
 

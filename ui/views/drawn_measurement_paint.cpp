@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/overlays/readable_text.h"
+#include "results/pictures/readable_text.h"
 #include "ui/views/drawn_measurement.h"
 
 namespace volumen {

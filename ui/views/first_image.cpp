@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "io/study/frame_series.h"
+#include "results/pictures/overlays.h"
 #include "ui/controller/frame_service.h"
-#include "ui/data/frame_series.h"
-#include "ui/overlays/overlays.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/frame_look.h"

@@ -6,8 +6,8 @@
 #include <memory>
 #include <optional>
 
+#include "results/pictures/overlays.h"
 #include "ui/controller/slice_service.h"
-#include "ui/overlays/overlays.h"
 #include "ui/tools/tool.h"
 #include "ui/views/stack_bar.h"
 #include "ui/views/view.h"

@@ -1,12 +1,12 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "results/segments/region_colours.h"
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/segment_editing.h"
 #include "ui/views/contour_lines.h"
 #include "ui/views/flat_view.h"
 #include "ui/workspace/key_images.h"
-#include "ui/workspace/region_colours.h"
 
 namespace volumen {
 

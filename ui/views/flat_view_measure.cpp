@@ -4,6 +4,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/derivations/measured_numbers.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
@@ -11,7 +12,6 @@
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"
-#include "ui/workspace/text.h"
 #include "viewer/measure/shape_cut.h"
 
 namespace volumen {

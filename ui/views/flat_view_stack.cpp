@@ -1,9 +1,9 @@
 #include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/views/cine_bar.h"
 #include "ui/views/flat_view.h"
 #include "ui/widgets/number_edit.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

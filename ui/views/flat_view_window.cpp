@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/views/flat_view.h"
 #include "ui/widgets/number_edit.h"
 #include "ui/widgets/window_edit.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 #include "ui/workspace/view_window.h"
 #include "ui/workspace/windows.h"
 

@@ -3,18 +3,19 @@
 #include <QPainter>
 #include <utility>
 
+#include "io/study/frame_series.h"
+#include "results/pictures/paint_graphics.h"
+#include "results/series/loaded_frame.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "ui/controller/derived_objects.h"
-#include "ui/data/frame_series.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/cine_bar.h"
-#include "ui/views/paint_graphics.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/frame_text.h"
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/presented_frame.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/view_window.h"
 
 namespace volumen {

@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "io/study/cine.h"
-#include "ui/data/series_key.h"
+#include "io/study/series_key.h"
 
 namespace volumen {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_point_text.h"
+#include "results/series/time_points.h"
+#include "results/text/text.h"
 #include "ui/workspace/time_points.h"
 
 namespace volumen {

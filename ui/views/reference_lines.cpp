@@ -4,7 +4,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ui/overlays/readable_text.h"
+#include "results/pictures/readable_text.h"
 #include "ui/views/cross_lines.h"
 #include "ui/workspace/links.h"
 

@@ -3,6 +3,10 @@
 #include <QPainter>
 #include <cmath>
 
+#include "results/series/time_points.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/controller/derived_objects.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/cine_bar.h"
@@ -12,10 +16,6 @@
 #include "ui/widgets/colours.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/measurements.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_points.h"
-#include "ui/workspace/value_text.h"
 #include "ui/workspace/view_window.h"
 #include "ui/workspace/windows.h"
 

@@ -2,10 +2,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/text/value_text.h"
 #include "ui/views/colour_bar.h"
 #include "ui/views/slice_view.h"
 #include "ui/widgets/window_edit.h"
-#include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
 
 namespace volumen {

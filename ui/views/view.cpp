@@ -6,14 +6,14 @@
 #include <QPainter>
 #include <cmath>
 
-#include "ui/overlays/picture_font.h"
+#include "results/pictures/picture_font.h"
+#include "results/series/time_points.h"
 #include "ui/widgets/drop_mark.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/dragged_series.h"
 #include "ui/workspace/layout_text.h"
 #include "ui/workspace/priors.h"
-#include "ui/workspace/time_points.h"
 
 namespace volumen {
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/overlays/overlays.h"
+#include "results/pictures/overlays.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/session.h"
 

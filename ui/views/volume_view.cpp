@@ -3,6 +3,8 @@
 #include <QToolButton>
 #include <utility>
 
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/canvas.h"
 #include "ui/views/cine_bar.h"
@@ -10,8 +12,6 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/moved_cursors.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
 #include "viewer/plan/rule_lines.h"
 #include "viewer/scene/visible_range.h"
 

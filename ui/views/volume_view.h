@@ -4,10 +4,10 @@
 #include <QTimer>
 #include <map>
 
+#include "results/pictures/overlays.h"
 #include "ui/controller/draw_service.h"
 #include "ui/controller/slice_image.h"
 #include "ui/derivations/drawn_scenes.h"
-#include "ui/overlays/overlays.h"
 #include "ui/tools/tool.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/error_image.h"

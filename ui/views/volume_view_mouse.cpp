@@ -7,11 +7,11 @@
 #include <string>
 #include <utility>
 
+#include "results/text/text.h"
 #include "ui/tools/mouse_bindings.h"
 #include "ui/tools/tool.h"
 #include "ui/views/cine_bar.h"
 #include "ui/views/volume_view.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

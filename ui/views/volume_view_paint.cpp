@@ -4,6 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "results/text/series_text.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/cine_bar.h"
 #include "ui/views/volume_view.h"
@@ -11,9 +14,6 @@
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/corner_text.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 #include "ui/workspace/windows.h"
 #include "viewer/scene/modes.h"
 

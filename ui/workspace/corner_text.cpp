@@ -6,14 +6,15 @@
 #include <glm/geometric.hpp>
 
 #include "io/curved.h"
+#include "results/series/time_points.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/curved_text.h"
 #include "ui/workspace/key_images.h"
 #include "ui/workspace/link_text.h"
 #include "ui/workspace/measurement_text.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_point_text.h"
+#include "ui/workspace/time_points.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
@@ -47,8 +48,6 @@ QString slabText(const FlatLook& look) {
   return QStringLiteral("%1 %2 mm").arg(QLatin1String(mode)).arg(look.slabMm, 0, 'f', 1);
 }
 
-QString mmText(double mm) { return tr("%1 mm").arg(mm, 0, 'g', 3); }
-
 // Returns a plane's position along its patient axis, "S 12.5 mm" or "z 12.5 mm"; "oblique" if it is turned.
 QString positionText(ViewKind kind, const SlicePlane& plane, bool knownSides) {
   constexpr double parallel = 1e-3;
@@ -57,7 +56,7 @@ QString positionText(ViewKind kind, const SlicePlane& plane, bool knownSides) {
   const int axis = along.x > 0 ? 0 : along.y > 0 ? 1 : 2;
   const double shown = std::round(10 * plane.centre[axis]) / 10 + 0.0;  // no -0.0
   if (!knownSides) return QStringLiteral("%1 %2 mm").arg(QLatin1Char("xyz"[axis])).arg(shown, 0, 'f', 1);
-  if (shown == 0) return mmText(0);
+  if (shown == 0) return QStringLiteral("0 mm");
   return QStringLiteral("%1 %2 mm")
       .arg(QString::fromStdString(sideLetters(shown < 0 ? -along : along)))
       .arg(std::abs(shown), 0, 'f', 1);
@@ -148,17 +147,6 @@ QString sexAgeText(const Series& series) {
 QString projectionText(const Series& series, int frame) {
   const ProjectionView projection = projectionOf(series, frame);
   return joined({shownText(projection.laterality), shownText(projection.viewPosition)}, QStringLiteral(" "));
-}
-
-QString thicknessText(const Series& series) {
-  if (!series.acquired.calibrated || series.acquired.size.z < 2)
-    return series.sliceThickness > 0 ? tr("%1 thick").arg(mmText(series.sliceThickness)) : QString();
-  const double apart = sliceDistance(series.acquired), thick = series.sliceThickness;
-  const QString distance = series.regular ? tr("unevenly apart") : tr("%1 apart").arg(mmText(apart));
-  if (thick <= 0) return distance;
-  const QString thickness = tr("%1 thick").arg(mmText(thick));
-  return !series.regular && std::abs(apart - thick) <= 0.01 * thick ? thickness
-                                                                    : joined({thickness, distance}, tr(", "));
 }
 
 QString lossyText(const Series& series) {

@@ -59,10 +59,6 @@ QString sexAgeText(const Series& series);
 /// frames).
 QString projectionText(const Series& series, int frame);
 
-/// Returns thickness and distance of slices, "3 mm thick, 3.3 mm apart". Leaves out an unknown thickness, and
-/// a distance equal to it. Irregular stacks read "unevenly apart".
-QString thicknessText(const Series& series);
-
 /// Returns "Lossy 20:1" for lossy compressed pictures, "Lossy" if the ratio is unknown, else an empty text.
 /// Files of a series may differ; one lossy file is enough.
 QString lossyText(const Series& series);

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/data/loaded_series.h"
+#include "results/series/loaded_series.h"
 #include "viewer/segment/segment.h"
 
 namespace volumen {

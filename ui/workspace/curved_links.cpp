@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/curved.h"
+#include "results/series/series_facts.h"
 #include "ui/workspace/flat_plane.h"
 
 namespace volumen {

@@ -6,9 +6,10 @@
 #include <optional>
 
 #include "io/curved.h"
+#include "results/series/series_facts.h"
+#include "results/text/text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/measurement_text.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

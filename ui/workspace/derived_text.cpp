@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

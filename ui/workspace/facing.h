@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ui/data/loaded_frame.h"
+#include "results/series/loaded_frame.h"
 #include "ui/workspace/hanging_protocol.h"
 
 namespace volumen {

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "io/study/frame_series.h"
 #include "io/study/study.h"
-#include "ui/data/frame_series.h"
 #include "ui/workspace/link_text.h"
 
 namespace volumen {

@@ -8,6 +8,8 @@
 #include <glm/vector_relational.hpp>
 #include <iterator>
 
+#include "results/series/series_facts.h"
+
 namespace volumen {
 
 namespace {
@@ -93,10 +95,6 @@ Crosshair startOf(const Workspace& workspace, const Series& series, const VoxelG
 
 bool scrollsAlone(const Workspace& workspace, ViewId view) {
   return !workspace.links.scroll && view >= firstComparedId;
-}
-
-const VoxelGeometry& drawnGeometry(const Series& series) {
-  return series.regular ? series.regular->geometry : series.acquired;
 }
 
 glm::dvec2 wholeMm(const ViewState& view, const FlatLook& look, const VoxelGeometry& geometry) {
@@ -257,6 +255,11 @@ ViewKind acquiredKind(const VoxelGeometry& geometry) {
   for (const KindRow& row : viewKinds())
     if (row.plane && std::abs(glm::dot(along.plane(row.kind).normal(), normal)) > 0.5) return row.kind;
   return ViewKind::axial;
+}
+
+std::optional<ViewKind> acquiredPlaneOf(const Series& series) {
+  if (!series.notVolume.empty() || !series.acquired.calibrated) return {};
+  return acquiredKind(series.acquired);
 }
 
 std::optional<PixelLine> referenceLine(const SlicePlane& view, const SlicePlane& other) {

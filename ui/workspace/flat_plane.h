@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ui/data/loaded_frame.h"
+#include "results/series/loaded_frame.h"
 #include "ui/workspace/workspace.h"
 #include "viewer/slice/plane.h"
 #include "viewer/volume/rigid.h"
@@ -30,9 +30,6 @@ Crosshair firstCrosshair(const Series& series);
 
 /// Returns whether a view has its own positions: it is a comparison view and positions are not linked.
 bool scrollsAlone(const Workspace& workspace, ViewId view);
-
-/// Returns the grid on which a series is drawn.
-const VoxelGeometry& drawnGeometry(const Series& series);
 
 /// Returns the crosshair of the series' frame of reference, oriented for this series. If none is set:
 /// firstCrosshair() of the first view in that frame of reference, or of this series if that point lies
@@ -70,6 +67,8 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
 
 /// Returns the kind of plane parallel to the acquired slices while no plane is turned by hand.
 ViewKind acquiredKind(const VoxelGeometry& geometry);
+/// Returns the patient plane closest to the slices; empty if not calibrated or no volume.
+std::optional<ViewKind> acquiredPlaneOf(const Series& series);
 
 /// Turns the planes of the two other kinds about this one's normal, in radians, clockwise in its unmirrored
 /// picture.

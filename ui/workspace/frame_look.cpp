@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/data/frame_series.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
+#include "io/study/frame_series.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 
 namespace volumen {
 

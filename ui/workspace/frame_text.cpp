@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 
 namespace volumen {
 

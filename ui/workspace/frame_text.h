@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "ui/data/loaded_frame.h"
+#include "results/series/loaded_frame.h"
 
 namespace volumen {
 

@@ -3,7 +3,7 @@
 #include <QStringList>
 #include <algorithm>
 
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

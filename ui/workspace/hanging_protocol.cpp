@@ -4,12 +4,12 @@
 #include <charconv>
 #include <tuple>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/text/value_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/link_text.h"
 #include "ui/workspace/links.h"
 #include "ui/workspace/time_points.h"
-#include "ui/workspace/value_text.h"
 #include "ui/workspace/view_window.h"
 
 namespace volumen {

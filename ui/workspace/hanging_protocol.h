@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
+#include "results/series/series_facts.h"
 #include "ui/workspace/priors.h"
-#include "ui/workspace/series_facts.h"
 
 namespace volumen {
 

@@ -2,7 +2,7 @@
 
 #include <QLocale>
 
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

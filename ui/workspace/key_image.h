@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "ui/data/series_key.h"
+#include "io/study/series_key.h"
 #include "ui/workspace/chosen_window.h"
 
 namespace volumen {

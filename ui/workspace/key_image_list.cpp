@@ -1,11 +1,11 @@
 #include "ui/workspace/key_image_list.h"
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/text/text.h"
 #include "ui/data/picture_index.h"
 #include "ui/workspace/derived_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/key_images.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
+#include "results/series/loaded_series.h"
 #include "ui/data/derived_key.h"
-#include "ui/data/loaded_series.h"
 #include "ui/workspace/picture_look.h"
 
 namespace volumen {

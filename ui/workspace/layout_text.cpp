@@ -1,6 +1,6 @@
 #include "ui/workspace/layout_text.h"
 
-#include "ui/workspace/text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

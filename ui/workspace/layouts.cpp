@@ -102,6 +102,15 @@ std::vector<ViewId> viewsOnScreen(const Workspace& workspace) {
   return views;
 }
 
+std::vector<SeriesKey> seriesIn3d(const Workspace& workspace) {
+  std::vector<SeriesKey> all;
+  for (const ViewId id : viewsOnScreen(workspace)) {
+    const ViewState& view = workspace.view(id);
+    if (showsScene(view.kind) && std::ranges::find(all, view.series) == all.end()) all.push_back(view.series);
+  }
+  return all;
+}
+
 std::vector<ViewId> focusFirst(const Workspace& workspace, std::vector<ViewId> views) {
   std::stable_partition(views.begin(), views.end(), [&](ViewId id) { return id == workspace.focus; });
   return views;

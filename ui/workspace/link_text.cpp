@@ -4,8 +4,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "results/text/text.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

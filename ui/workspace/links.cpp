@@ -6,9 +6,10 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "results/series/series_facts.h"
+#include "results/text/value_text.h"
 #include "ui/workspace/curved_links.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/value_text.h"
 
 namespace volumen {
 

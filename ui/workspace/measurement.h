@@ -3,7 +3,7 @@
 #include <glm/vec3.hpp>
 #include <optional>
 
-#include "ui/data/series_key.h"
+#include "io/study/series_key.h"
 #include "viewer/measure/shape.h"
 
 namespace volumen {

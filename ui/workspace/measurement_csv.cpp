@@ -1,9 +1,9 @@
 #include <string_view>
 
-#include "ui/workspace/csv.h"
+#include "results/numbers/csv.h"
+#include "results/numbers/series_columns.h"
+#include "results/text/text.h"
 #include "ui/workspace/measurement_text.h"
-#include "ui/workspace/series_columns.h"
-#include "ui/workspace/text.h"
 
 namespace volumen {
 

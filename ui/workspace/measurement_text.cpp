@@ -3,10 +3,11 @@
 #include <QLocale>
 #include <cmath>
 
+#include "results/numbers/series_columns.h"
+#include "results/series/loaded_frame.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/workspace/measurements.h"
-#include "ui/workspace/series_columns.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 #include "viewer/measure/lengths.h"
 #include "viewer/measure/shape_cut.h"
 

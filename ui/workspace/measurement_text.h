@@ -3,7 +3,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "ui/data/loaded_series.h"
+#include "results/series/loaded_series.h"
 #include "ui/workspace/measurement.h"
 #include "viewer/measure/measure.h"
 

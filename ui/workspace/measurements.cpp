@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "results/text/text.h"
 #include "ui/workspace/measurement_text.h"
-#include "ui/workspace/text.h"
+#include "ui/workspace/time_points.h"
 #include "viewer/measure/outline.h"
 #include "viewer/measure/shape_cut.h"
 
@@ -104,26 +105,6 @@ std::vector<const Measurement*> measurementsOn(const Workspace& workspace, const
   return found;
 }
 
-ShapeFrame frameNamed(const Series& series, int frame) {
-  const auto n = std::size_t(frame);
-  return {n < series.sopInstanceUids.size() ? series.sopInstanceUids[n] : std::string(),
-          n < series.frames.size() ? series.frames[n] : frame};
-}
-
-std::optional<int> frameMeant(const Series& series, const ShapeFrame& name) {
-  for (int n = 0; n < int(series.files.size()); ++n)
-    if (frameNamed(series, n) == name) return n;
-  return {};
-}
-
-FramePixels pixelsOf(const LoadedFrame& frame) {
-  const std::string& side = frame.slice->series.laterality;
-  const char rows = frame.rowSide.empty() ? ' ' : frame.rowSide.front();
-  const bool isKnown = (side == "L" || side == "R") && (rows == 'L' || rows == 'R');
-  const int outwards = !isKnown ? 0 : side.front() == rows ? 1 : -1;
-  return {frame.slice->volume, frame.green, frame.blue, frame.pixel, frame.regions, outwards};
-}
-
 int addMeasurement(Session& session, const SeriesKey& series, const Shape& shape) {
   addMeasurements(session, series, {&shape, 1});
   return session.workspace().selected;
@@ -214,6 +195,15 @@ Shape withHandleAt(Shape shape, std::size_t handle, glm::dvec3 place, glm::dvec3
   else
     shape.points[handle] = place;
   return shape;
+}
+
+std::vector<ChartKind> chartsOf(const Workspace& workspace, const Measurement& measurement) {
+  const Shape& shape = measurement.shape;
+  if (shape.kind == ShapeKind::length || shape.kind == ShapeKind::polyline) return {ChartKind::profile};
+  if (!ruleOf(shape.kind).region) return {};
+  std::vector<ChartKind> kinds{ChartKind::histogram};
+  if (!shape.frame && hasTimePoints(workspace, measurement.series)) kinds.push_back(ChartKind::overTime);
+  return kinds;
 }
 
 }  // namespace volumen

@@ -3,9 +3,9 @@
 #include <QString>
 #include <span>
 
-#include "ui/data/loaded_frame.h"
+#include "results/numbers/measurement_chart.h"
+#include "results/series/loaded_frame.h"
 #include "ui/workspace/session.h"
-#include "viewer/measure/frame_measure.h"
 
 namespace volumen {
 
@@ -17,14 +17,6 @@ std::vector<const Measurement*> measurementsIn(const Workspace& workspace, const
 
 /// Returns the measurements drawn on a frame of a series, in their order.
 std::vector<const Measurement*> measurementsOn(const Workspace& workspace, const Series& series, int frame);
-
-/// Returns a name for a frame of a series (from 0) that does not depend on the other frames.
-ShapeFrame frameNamed(const Series& series, int frame);
-/// Returns the index of the named frame; empty if the series does not hold it.
-std::optional<int> frameMeant(const Series& series, const ShapeFrame& name);
-
-/// Returns a frame as measurements need it.
-FramePixels pixelsOf(const LoadedFrame& frame);
 
 /// Adds a measurement to a series of the workspace and selects it, in one undo step. Returns its id.
 int addMeasurement(Session& session, const SeriesKey& series, const Shape& shape);
@@ -56,5 +48,8 @@ std::vector<glm::dvec3> handlesOf(const Shape& shape);
 /// perpendicular: the short one turns with the long one and moves along it as a whole. Chest widths keep
 /// their direction. `unit` is the length of a coordinate step; on frames, the pixel size.
 Shape withHandleAt(Shape shape, std::size_t handle, glm::dvec3 place, glm::dvec3 unit = glm::dvec3(1));
+
+/// Returns the charts of a measurement, the default first; empty if it has none.
+std::vector<ChartKind> chartsOf(const Workspace& workspace, const Measurement& measurement);
 
 }  // namespace volumen

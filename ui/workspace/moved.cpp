@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ui/workspace/segment_maps.h"
+#include "ui/workspace/series_segments.h"
 
 namespace volumen {
 

@@ -5,7 +5,7 @@
 #include <QJsonObject>
 #include <cmath>
 
-#include "ui/workspace/value_text.h"
+#include "results/text/value_text.h"
 
 namespace volumen {
 

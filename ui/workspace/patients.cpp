@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "results/series/series_facts.h"
+
 namespace volumen {
 
 namespace {
@@ -20,10 +22,6 @@ std::vector<const Series*> picturesIn(const Workspace& workspace, ViewId view) {
 }
 
 }  // namespace
-
-bool areOfOnePatient(const SeriesIdentity& a, const SeriesIdentity& b) {
-  return a.patientId == b.patientId && a.patientName == b.patientName;
-}
 
 std::vector<const Series*> patientsOnScreen(const Workspace& workspace) {
   std::vector<const Series*> patients;

@@ -6,9 +6,6 @@
 
 namespace volumen {
 
-/// Returns whether two series or objects belong to one patient: same name and same ID.
-bool areOfOnePatient(const SeriesIdentity& a, const SeriesIdentity& b);
-
 /// Returns one series of each patient on screen, overlays included, in the order of the views. Series that
 /// name no patient and are not DICOM do not count.
 std::vector<const Series*> patientsOnScreen(const Workspace& workspace);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/series/series_facts.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/key_images.h"
 

@@ -4,7 +4,7 @@
 #include <QStringList>
 #include <map>
 
-#include "ui/data/loaded_series.h"
+#include "results/series/loaded_series.h"
 #include "ui/workspace/preferences.h"
 #include "ui/workspace/workspace.h"
 

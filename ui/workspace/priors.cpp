@@ -6,12 +6,12 @@
 #include <set>
 #include <tuple>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/series/series_facts.h"
+#include "results/series/time_points.h"
+#include "results/text/text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/links.h"
-#include "ui/workspace/patients.h"
-#include "ui/workspace/series_facts.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/time_points.h"
 #include "ui/workspace/view_window.h"
 

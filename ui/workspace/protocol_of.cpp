@@ -3,11 +3,11 @@
 #include <optional>
 #include <utility>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
+#include "results/series/series_facts.h"
+#include "results/text/value_text.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/hanging_protocol.h"
-#include "ui/workspace/patients.h"
-#include "ui/workspace/value_text.h"
 #include "ui/workspace/view_window.h"
 #include "viewer/volume/free_name.h"
 

@@ -6,8 +6,8 @@
 #include <map>
 #include <set>
 
-#include "ui/workspace/segments.h"
-#include "ui/workspace/text.h"
+#include "results/segments/segments.h"
+#include "results/text/text.h"
 
 namespace volumen {
 

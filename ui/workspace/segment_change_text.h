@@ -2,7 +2,7 @@
 
 #include <QString>
 
-#include "ui/workspace/segment_map.h"
+#include "results/segments/segment_map.h"
 
 namespace volumen {
 

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <iterator>
 
+#include "results/text/series_text.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "ui/workspace/curved_planes.h"
 #include "ui/workspace/edit_workspace.h"
 #include "ui/workspace/needed_series.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/value_text.h"
 #include "viewer/scene/presets.h"
 
 namespace volumen {

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "ui/data/series_key.h"
+#include "io/study/series_key.h"
 #include "ui/workspace/shared_list.h"
 #include "ui/workspace/shared_map.h"
 #include "viewer/measure/shape.h"
@@ -20,7 +20,7 @@ namespace volumen {
 
 struct Series;
 
-/// The range of a number in a session, ends included.
+/// The range of a number, ends included.
 struct Limits {
   double low, high;
 };
@@ -35,7 +35,8 @@ struct NumberedSeries {
   void add(const Series& series);
 };
 
-// FieldWriter and FieldReader have the same functions, so that one list of fields for a struct,
+// The archive of sessions and hanging protocols. FieldWriter and FieldReader have the same functions, so that
+// one list of fields for a struct,
 //   template <class Fields> void fields(Fields& f, FlatLook& look) { f("zoom", look.zoom, {0.001, 1000}); ...
 //   }
 // both writes and reads it. The writer refuses what could not be read back. `problem` keeps the first error,
@@ -50,18 +51,10 @@ class FieldWriter {
 
   void operator()(const char* name, bool& value) { json_[name] = value; }
   void operator()(const char* name, std::string& value) { json_[name] = value; }
-  /// Leaves out an empty text.
-  void unlessEmpty(const char* name, std::string& value) {
-    if (!value.empty()) json_[name] = value;
-  }
-  /// Leaves out a default value.
-  template <class T>
-  void unlessFirst(const char* name, T& value) {
-    if (value != T()) (*this)(name, value);
-  }
-  template <class T>
-  void unlessFirst(const char* name, T& value, const Words<T>& words) {
-    if (value != T()) (*this)(name, value, words);
+  /// Leaves out the usual value. `how` are limits or words.
+  template <class T, class... How>
+  void unless(const T& usual, const char* name, T& value, const How&... how) {
+    if (value != usual) (*this)(name, value, how...);
   }
   /// Writes a struct. Older sessions have a text instead, which is read into `text`, one of its members.
   template <class T>
@@ -74,7 +67,7 @@ class FieldWriter {
   void operator()(const char* name, glm::dvec3& value, Limits limits);
   /// Writes x and y of each point in turn.
   void operator()(const char* name, std::vector<glm::dvec2>& points, Limits limits);
-  void require(const char* name, bool kept, const char* sentence) {
+  void require(const char* name, bool kept, const std::string& sentence) {
     if (!kept && problem_.empty()) problem_ = pathOf(name) + " " + sentence + ".";
   }
   void operator()(const char* name, Scene& scene);
@@ -100,9 +93,9 @@ class FieldWriter {
     json_[name] = value ? objectOf(*value, pathOf(name)) : Json();
   }
   /// Leaves out an empty value.
-  template <class T>
-  void unlessNone(const char* name, std::optional<T>& value) {
-    if (value) json_[name] = objectOf(*value, pathOf(name));
+  template <class T, class... How>
+  void unlessNone(const char* name, std::optional<T>& value, const How&... how) {
+    if (value) (*this)(name, *value, how...);
   }
   template <class T>
   void operator()(const char* name, std::shared_ptr<const T>& value) {
@@ -170,14 +163,9 @@ class FieldReader {
 
   void operator()(const char* name, bool& value) { json_.read(name, value); }
   void operator()(const char* name, std::string& value) { json_.read(name, value); }
-  void unlessEmpty(const char* name, std::string& value) { json_.read(name, value); }
-  template <class T>
-  void unlessFirst(const char* name, T& value) {
-    (*this)(name, value);
-  }
-  template <class T>
-  void unlessFirst(const char* name, T& value, const Words<T>& words) {
-    (*this)(name, value, words);
+  template <class T, class... How>
+  void unless(const T&, const char* name, T& value, const How&... how) {
+    (*this)(name, value, how...);
   }
   template <class T>
   void onceText(const char* name, T& value, std::string& text) {
@@ -190,7 +178,7 @@ class FieldReader {
   void operator()(const char* name, glm::dvec2& value, Limits limits);
   void operator()(const char* name, glm::dvec3& value, Limits limits);
   void operator()(const char* name, std::vector<glm::dvec2>& points, Limits limits);
-  void require(const char* name, bool kept, const char* sentence) {
+  void require(const char* name, bool kept, const std::string& sentence) {
     if (!kept) json_.refuse(json_.pathOf(name), sentence);
   }
   void operator()(const char* name, Scene& scene);
@@ -215,9 +203,12 @@ class FieldReader {
       value = std::move(item);
     }
   }
-  template <class T>
-  void unlessNone(const char* name, std::optional<T>& value) {
-    (*this)(name, value);
+  template <class T, class... How>
+  void unlessNone(const char* name, std::optional<T>& value, const How&... how) {
+    if (!json_.given(name)) return;
+    T item{};
+    (*this)(name, item, how...);
+    value = std::move(item);
   }
   template <class T>
   void operator()(const char* name, std::shared_ptr<const T>& value) {

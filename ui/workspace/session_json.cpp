@@ -198,7 +198,7 @@ void fields(Fields& f, SecondWindow& second) {
 template <class Fields>
 void fields(Fields& f, Workspace& w) {
   f("layout", w.layout, layoutWords);
-  f.unlessFirst("second", w.second);
+  f.unless({}, "second", w.second);
   f("focus", w.focus, {0, viewCount - 1});
   f("goal", w.goal);
   crosshairsField(f, w.crosshairs);

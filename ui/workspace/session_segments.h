@@ -56,13 +56,13 @@ void fields(Fields& f, Code& code) {
 template <class Fields>
 void fields(Fields& f, AnatomicStructure& structure) {
   f("code", structure.code);
-  f.unlessFirst("modifier", structure.modifier);
+  f.unless({}, "modifier", structure.modifier);
 }
 
 template <class Fields>
 void fields(Fields& f, AlgorithmIdentity& algorithm) {
-  f.unlessFirst("family", algorithm.family);
-  f.unlessFirst("nameCode", algorithm.nameCode);
+  f.unless({}, "family", algorithm.family);
+  f.unless({}, "nameCode", algorithm.nameCode);
   f("name", algorithm.name);
   f("version", algorithm.version);
   f("parameters", algorithm.parameters);
@@ -78,15 +78,15 @@ void fields(Fields& f, Segment& s) {
   f("description", s.description);
   f.onceText("category", s.category, s.category.meaning);
   f.onceText("type", s.type, s.type.meaning);
-  f.unlessFirst("modifier", s.modifier);
-  f.unlessFirst("region", s.region);
-  f.unlessFirst("regionModifier", s.regionModifier);
-  f.unlessFirst("structures", s.structures);
-  f.unlessFirst("algorithmType", s.algorithmType, algorithmWords);
+  f.unless({}, "modifier", s.modifier);
+  f.unless({}, "region", s.region);
+  f.unless({}, "regionModifier", s.regionModifier);
+  f.unless({}, "structures", s.structures);
+  f.unless({}, "algorithmType", s.algorithmType, algorithmWords);
   f("algorithm", s.algorithm);
-  f.unlessFirst("algorithms", s.algorithms);
+  f.unless({}, "algorithms", s.algorithms);
   f("trackingId", s.trackingId);
-  f.unlessEmpty("trackingUid", s.trackingUid);
+  f.unless({}, "trackingUid", s.trackingUid);
   f("coloured", coloured);
   f("colour", colour, {0, 255});
   f("range", s.range);
@@ -114,7 +114,7 @@ void fields(Fields& f, SegmentMap& map) {
   f("segments", map.segments);
   f("current", map.current, {0, 255});
   f("in3d", map.in3d);
-  f.unlessFirst("tissueIn3d", map.tissue);
+  f.unless({}, "tissueIn3d", map.tissue);
   f.stepsOf(map.series, map.number, "steps", map.steps);
   f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
   f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");

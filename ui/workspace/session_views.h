@@ -115,7 +115,7 @@ void fields(Fields& f, ViewState& v) {
     fields(item, look);
   });
   crosshairsField(f, v.crosshairs);
-  f.unlessEmpty("wanted", v.wanted);
+  f.unless({}, "wanted", v.wanted);
 }
 
 }  // namespace volumen

@@ -3,8 +3,8 @@
 #include <QSize>
 #include <optional>
 
-#include "ui/data/loaded_series.h"
-#include "ui/workspace/segment_picture_text.h"
+#include "results/segments/segment_picture_text.h"
+#include "results/series/loaded_series.h"
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
 

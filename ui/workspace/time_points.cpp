@@ -1,69 +1,10 @@
 #include "ui/workspace/time_points.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <glm/geometric.hpp>
-#include <string_view>
-#include <tuple>
-#include <utility>
 
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/patients.h"
 
 namespace volumen {
-
-namespace {
-
-using Axis = std::string Series::*;
-constexpr Axis axes[] = {&Series::bValue, &Series::echoTime, &Series::timePoint, &Series::label};
-
-double numberIn(const std::string& text) {
-  double number = 0;
-  std::from_chars(text.data(), text.data() + text.size(), number);
-  return number;
-}
-
-// Returns the number after the "#" in an id "NAME#3"; 0 if there is none.
-double volumeNumber(const Series& series) {
-  const std::size_t mark = series.id.find_last_of('#');
-  return mark == std::string::npos ? 0 : numberIn(series.id.substr(mark + 1));
-}
-
-bool onOneGrid(const VoxelGeometry& a, const VoxelGeometry& b) {
-  constexpr double within = 1e-3;  // mm
-  if (a.size != b.size || glm::length(a.origin - b.origin) > within) return false;
-  for (int axis = 0; axis < 3; ++axis)
-    if (glm::length(a.patientFromVoxelStep[axis] - b.patientFromVoxelStep[axis]) * a.size[axis] > within)
-      return false;
-  return true;
-}
-
-auto orderOf(const Series& series) {
-  return std::tuple(numberIn(series.bValue), numberIn(series.echoTime), numberIn(series.timePoint),
-                    volumeNumber(series), std::string_view(series.id));
-}
-
-}  // namespace
-
-bool areTimePoints(const Series& a, const Series& b) {
-  if (!areOfOnePatient(a, b)) return false;
-  if (a.id == b.id && a.path == b.path) return true;
-  if (a.curved || b.curved) return false;
-  if (!a.notVolume.empty() || !b.notVolume.empty() || a.format != b.format || a.path != b.path ||
-      a.seriesUid != b.seriesUid || a.studyUid != b.studyUid || !onOneGrid(a.acquired, b.acquired))
-    return false;
-  if (a.format == "DICOM")
-    return !a.seriesUid.empty() && std::ranges::any_of(axes, [&](Axis axis) { return a.*axis != b.*axis; });
-  return volumeNumber(a) > 0 && volumeNumber(b) > 0;
-}
-
-void sortTimePoints(std::vector<const Series*>& steps) {
-  std::vector<std::pair<decltype(orderOf(*steps[0])), const Series*>> ordered;
-  for (const Series* step : steps) ordered.emplace_back(orderOf(*step), step);
-  std::ranges::sort(ordered);
-  std::ranges::transform(ordered, steps.begin(), [](const auto& step) { return step.second; });
-}
 
 std::vector<const Series*> timePointsOf(const Workspace& workspace, const SeriesKey& series) {
   const auto shown = workspace.series.find(series);
@@ -73,6 +14,11 @@ std::vector<const Series*> timePointsOf(const Workspace& workspace, const Series
     if (areTimePoints(*shown->second.series, *state.series)) steps.push_back(state.series.get());
   sortTimePoints(steps);
   return steps;
+}
+
+QString timePointText(const Workspace& workspace, const SeriesKey& series) {
+  const std::vector<const Series*> steps = timePointsOf(workspace, series);
+  return steps.empty() ? QString() : timePointText(steps, *workspace.series.at(series).series);
 }
 
 bool hasTimePoints(const Workspace& workspace, const SeriesKey& series) {

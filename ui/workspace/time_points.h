@@ -2,19 +2,17 @@
 
 #include <vector>
 
+#include "results/series/time_points.h"
 #include "ui/workspace/workspace.h"
 
 namespace volumen {
 
-/// Returns whether two volumes are time points of one series. They have the same patient, series and grid,
-/// and differ in time, echo, diffusion weighting or direction, or they are volumes of one file.
-bool areTimePoints(const Series& a, const Series& b);
-
-/// Sorts time points by the attribute that varies.
-void sortTimePoints(std::vector<const Series*>& steps);
-
 /// Returns the time points of a series that the workspace knows, itself included, in order.
 std::vector<const Series*> timePointsOf(const Workspace& workspace, const SeriesKey& series);
+
+/// Returns timePointText() of a series among the time points that the workspace knows; empty if it knows
+/// none.
+QString timePointText(const Workspace& workspace, const SeriesKey& series);
 
 /// Returns whether there are several.
 bool hasTimePoints(const Workspace& workspace, const SeriesKey& series);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "ui/data/loaded_series.h"
+#include "results/series/loaded_series.h"
 #include "ui/workspace/own_windows.h"
 #include "ui/workspace/window_keys.h"
 #include "ui/workspace/workspace.h"

@@ -4,10 +4,10 @@
 #include <cmath>
 
 #include "io/curved.h"
+#include "results/segments/segment_record.h"
+#include "results/series/time_points.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/time_points.h"
+#include "ui/workspace/series_segments.h"
 
 namespace volumen {
 

@@ -8,15 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "io/study/series_key.h"
+#include "results/segments/segment_map.h"
 #include "ui/data/derived_key.h"
-#include "ui/data/series_key.h"
 #include "ui/data/series_proof.h"
 #include "ui/workspace/chosen_window.h"
 #include "ui/workspace/key_image.h"
 #include "ui/workspace/measurement.h"
 #include "ui/workspace/quality_goal.h"
 #include "ui/workspace/regions_look.h"
-#include "ui/workspace/segment_map.h"
 #include "ui/workspace/shared_list.h"
 #include "ui/workspace/shared_map.h"
 #include "ui/workspace/view_id.h"
@@ -259,6 +259,8 @@ std::vector<ViewId> viewsInSecond(const Workspace& workspace);
 std::vector<ViewId> viewsBeside(const Workspace& workspace, ViewId view);
 /// Returns the views on screen in both windows, those of the main one first.
 std::vector<ViewId> viewsOnScreen(const Workspace& workspace);
+/// Returns the series in 3D views on screen.
+std::vector<SeriesKey> seriesIn3d(const Workspace& workspace);
 /// Returns these views, the one in focus before the others.
 std::vector<ViewId> focusFirst(const Workspace& workspace, std::vector<ViewId> views);
 

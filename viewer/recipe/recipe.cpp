@@ -44,13 +44,13 @@ Result<NamedMasks> madeBy(const StepKind& kind, const StepInput& in) {
   return NamedMasks{{in.name(), std::move(*made)}};
 }
 
-// Returns the last step that needs each segment; past the end for segments of the recipe.
-std::map<std::string, std::size_t> lastSteps(const Recipe& recipe) {
+// Returns the last step that needs each segment; past the end for those kept.
+std::map<std::string, std::size_t> lastSteps(const StepRun& run) {
   std::map<std::string, std::size_t> last;
-  for (std::size_t n = 0; n < recipe.steps.size(); ++n)
-    for (const auto& names : {changedBy(recipe.steps[n]), neededBy(recipe.steps[n])})
+  for (std::size_t n = 0; n < run.steps.size(); ++n)
+    for (const auto& names : {changedBy(run.steps[n]), neededBy(run.steps[n])})
       for (const std::string& name : names) last[name] = n;
-  for (const Segment& segment : recipe.segments) last[segment.label] = recipe.steps.size();
+  for (const std::string& name : run.kept) last[name] = run.steps.size();
   return last;
 }
 
@@ -107,26 +107,39 @@ Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const 
   return {};
 }
 
-Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel,
-                         const AcquiredSlices& slices) try {
-  NamedMasks masks;
-  AcquiredMasks onSlices(slices);
-  const auto last = lastSteps(recipe);
-  for (std::size_t n = 0; n < recipe.steps.size(); ++n) {
-    const Step& step = recipe.steps[n];
-    const NamedMasks before = slices.volume ? ownBefore(step, masks) : NamedMasks();
+Result<NamedMasks> runSteps(StepRun run, const Volume& volume, const CancelToken& cancel,
+                            AcquiredMasks* onSlices) {
+  NamedMasks masks = std::move(run.given);
+  const auto last = lastSteps(run);
+  for (std::size_t n = 0; n < run.steps.size(); ++n) {
+    const Step& step = run.steps[n];
+    const std::string number = "Step " + std::to_string(n + 1);
+    const NamedMasks before = onSlices ? ownBefore(step, masks) : NamedMasks();
     const Status done = runStep(step, volume, masks, cancel);
     if (cancel.cancelled()) return Error{"Cancelled."};
-    if (!done) return Error{"Step " + std::to_string(n + 1) + ", " + done.message()};
-    if (slices.volume) onSlices.add(step, before, masks, cancel);
-    std::erase_if(masks, [&](const auto& named) { return last.at(named.first) == n; });
-    onSlices.keep(masks);
+    if (!done) return Error{(run.numbered ? number + ", " : "") + done.message()};
+    if (onSlices) onSlices->add(step, before, masks, cancel);
+    std::erase_if(masks, [&](const auto& named) {
+      const auto needed = last.find(named.first);
+      return needed == last.end() || needed->second <= n;
+    });
+    if (onSlices) onSlices->keep(masks);
     if (masks.size() > mostMasks)
-      return Error{"Step " + std::to_string(n + 1) + " makes more than " + std::to_string(mostMasks) +
+      return Error{number + " makes more than " + std::to_string(mostMasks) +
                    " segments that later steps ask for."};
-    cancel.setDone(double(n + 1) / double(recipe.steps.size()));
+    cancel.setDone(double(n + 1) / double(run.steps.size()));
   }
-  Segmented result{recipe.segments, labelsOf(recipe, masks, volume.geometry())};
+  return masks;
+}
+
+Result<Segmented> follow(const Recipe& recipe, const Volume& volume, const CancelToken& cancel,
+                         const AcquiredSlices& slices) try {
+  AcquiredMasks onSlices(slices);
+  StepRun run{.steps = recipe.steps, .numbered = true};
+  for (const Segment& segment : recipe.segments) run.kept.insert(segment.label);
+  const auto masks = runSteps(std::move(run), volume, cancel, slices.volume ? &onSlices : nullptr);
+  if (!masks) return masks.error();
+  Segmented result{recipe.segments, labelsOf(recipe, *masks, volume.geometry())};
   for (std::size_t n = 0; n < result.segments.size(); ++n) {
     result.segments[n] = withRecipeNamed(recipe.segments[n], recipe);
     result.segments[n].number = int(n + 1);

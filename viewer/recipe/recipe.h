@@ -1,6 +1,8 @@
 #pragma once
 
 #include <map>
+#include <set>
+#include <span>
 #include <string>
 #include <variant>
 #include <vector>
@@ -12,6 +14,8 @@
 #include "viewer/volume/result.h"
 
 namespace volumen {
+
+class AcquiredMasks;
 
 /// Value of a step's field: a number, a word or segment name, a flag, points in patient space (mm, LPS), or
 /// segment names.
@@ -47,6 +51,18 @@ using NamedMasks = std::map<std::string, BitMask>;
 /// Runs a step on the given segments. The voxels are the same on every machine. The Error names the step and
 /// the field, or says that it was cancelled; `masks` is then unchanged.
 Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const CancelToken& cancel = {});
+
+/// Steps, the masks they start from, and the names of the masks they are run for.
+struct StepRun {
+  std::span<const Step> steps;
+  NamedMasks given{};
+  std::set<std::string> kept{};
+  bool numbered = false;  ///< an Error says which step failed
+};
+/// Runs steps one after another, with `onSlices` on these too. Returns the kept masks; others are dropped
+/// once no later step needs them. Reports progress to `cancel`. The Error is that of runStep().
+Result<NamedMasks> runSteps(StepRun run, const Volume& volume, const CancelToken& cancel = {},
+                            AcquiredMasks* onSlices = nullptr);
 
 /// Sets how a recipe's segment was made, unless that is set or the segment has a value range: automatic, or
 /// semi-automatic if its steps use points or manual drawing.

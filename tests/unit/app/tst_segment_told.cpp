@@ -13,10 +13,10 @@
 #include <functional>
 
 #include "io/open.h"
+#include "results/series/time_points.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/time_points.h"
 
 using namespace volumen;
 using namespace volumen::tests;

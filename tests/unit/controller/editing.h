@@ -3,12 +3,13 @@
 #include <QTest>
 #include <vector>
 
+#include "results/segments/segments.h"
 #include "tests/ui/hollow_balls.h"
 #include "ui/controller/lesion.h"
 #include "ui/controller/segment_editing.h"
 #include "ui/controller/segment_edits.h"
 #include "ui/controller/segment_parts.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 #include "viewer/segment/range.h"
 
 namespace volumen::tests {

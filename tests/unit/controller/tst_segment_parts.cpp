@@ -1,9 +1,9 @@
 // Guards what clicks on connected components take without a window: which voxels touch, and the leak guard.
 #include <algorithm>
 
+#include "results/segments/segment_record.h"
 #include "tests/unit/controller/editing.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/segment_record.h"
 #include "viewer/segment/parts.h"
 
 using namespace volumen;

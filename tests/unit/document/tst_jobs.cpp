@@ -3,11 +3,11 @@
 #include <map>
 #include <semaphore>
 
+#include "results/text/text.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
 #include "ui/document/job_lane.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 

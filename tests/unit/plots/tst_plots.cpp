@@ -1,10 +1,10 @@
 // Guards design.md 6 (plots that a person likes to read): round ticks, labels that do not collide.
 #include <cmath>
 
+#include "results/plots/axis.h"
+#include "results/plots/chart.h"
+#include "results/plots/labels.h"
 #include "tests/unit/suite.h"
-#include "ui/plots/axis.h"
-#include "ui/plots/chart.h"
-#include "ui/plots/labels.h"
 
 using namespace volumen;
 

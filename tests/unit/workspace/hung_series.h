@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "ui/data/frame_series.h"
+#include "io/study/frame_series.h"
 #include "ui/workspace/own_protocols.h"
 
 namespace volumen::tests {

@@ -4,9 +4,8 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "ui/controller/segment_recipes.h"
-#include "ui/workspace/segment_record.h"
-#include "ui/workspace/segments.h"
+#include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
 #include "viewer/recipe/step_names.h"
 
 namespace volumen::tests {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segments.h"
+#include "results/segments/segment_maps.h"
+#include "results/segments/segments.h"
 
 namespace volumen::tests {
 

@@ -2,10 +2,11 @@
 // remains if there is little room.
 #include <cmath>
 
+#include "io/study/frame_series.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "tests/unit/suite.h"
-#include "ui/data/frame_series.h"
 #include "ui/workspace/corner_text.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 

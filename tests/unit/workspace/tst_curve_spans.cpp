@@ -1,11 +1,11 @@
 // Guards the value ranges that spans of a curve offer for segments: the visible values, as displayed.
 #include <cmath>
 
+#include "results/text/value_text.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/curve_spans.h"
-#include "ui/workspace/value_text.h"
 #include "viewer/scene/visible_range.h"
 
 using namespace volumen;

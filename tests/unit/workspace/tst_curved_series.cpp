@@ -5,6 +5,9 @@
 #include <glm/geometric.hpp>
 
 #include "io/curved.h"
+#include "results/series/time_points.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/curved_links.h"
 #include "ui/workspace/curved_planes.h"
@@ -13,11 +16,8 @@
 #include "ui/workspace/links.h"
 #include "ui/workspace/measurements.h"
 #include "ui/workspace/needed_series.h"
-#include "ui/workspace/series_text.h"
 #include "ui/workspace/session.h"
 #include "ui/workspace/session_json.h"
-#include "ui/workspace/text.h"
-#include "ui/workspace/time_points.h"
 
 using namespace volumen;
 using glm::dvec3;

@@ -1,13 +1,13 @@
 // Guards slices.md 2 and 4 in the window: which pictures form a series of frames and which views show them.
 // Also guards their grey values, pixel sizes and timing.
+#include "io/study/frame_series.h"
 #include "io/study/study.h"
+#include "results/text/text.h"
 #include "tests/unit/suite.h"
 #include "ui/data/frame_pool.h"
-#include "ui/data/frame_series.h"
 #include "ui/workspace/cine.h"
 #include "ui/workspace/frame_look.h"
 #include "ui/workspace/frame_text.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 

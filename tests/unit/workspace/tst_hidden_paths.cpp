@@ -2,9 +2,9 @@
 #include <QDir>
 #include <QTemporaryDir>
 
+#include "results/text/text.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/hidden_paths.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 

@@ -2,9 +2,10 @@
 #include <cmath>
 #include <limits>
 
+#include "results/numbers/measurement_chart.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/measurement_chart.h"
+#include "ui/workspace/measurements.h"
 
 using namespace volumen;
 using namespace volumen::tests;

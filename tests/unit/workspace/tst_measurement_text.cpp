@@ -1,6 +1,7 @@
 // Guards the text of measurements: numbers with units, lists as text and CSV, and the handles of shapes.
 #include <glm/geometric.hpp>
 
+#include "results/series/loaded_frame.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"

@@ -4,7 +4,7 @@
 #include "tests/unit/suite.h"
 #include "tests/unit/workspace/random_workspace.h"
 #include "ui/workspace/moved.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 #include "ui/workspace/session_json.h"
 
 using namespace volumen;

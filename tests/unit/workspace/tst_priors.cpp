@@ -2,10 +2,10 @@
 // what fills an empty view automatically.
 #include <functional>
 
+#include "results/series/series_facts.h"
+#include "results/text/text.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/priors.h"
-#include "ui/workspace/series_facts.h"
-#include "ui/workspace/text.h"
 #include "ui/workspace/view_window.h"
 
 using namespace volumen;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "results/segments/segment_maps.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
@@ -12,7 +13,7 @@
 #include "tests/unit/workspace/recorded_maps.h"
 #include "ui/controller/segment_edits.h"
 #include "ui/controller/segment_parts.h"
-#include "ui/workspace/segment_maps.h"
+#include "ui/controller/segment_recipes.h"
 #include "viewer/recipe/step_kinds.h"
 #include "viewer/recipe/step_names.h"
 

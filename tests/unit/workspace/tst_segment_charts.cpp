@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "results/numbers/segment_charts.h"
+#include "results/numbers/segments_over_time.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/segment_charts.h"
-#include "ui/workspace/segments_over_time.h"
 
 using namespace volumen;
 

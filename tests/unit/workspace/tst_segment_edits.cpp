@@ -1,9 +1,10 @@
 // Guards the pure functions of segments in a workspace: free numbers and names, the current segment, locks,
 // and sharing of unchanged labels. Random sequences are compared with an array of labels.
+#include "results/segments/segments.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 
 using namespace volumen;
 using volumen::tests::Chance;

@@ -2,10 +2,11 @@
 // colours are distinct, and reopened series restore all maps.
 #include <algorithm>
 
+#include "results/segments/segment_maps.h"
+#include "results/segments/segments.h"
 #include "tests/unit/suite.h"
 #include "tests/unit/workspace/scanned_maps.h"
-#include "ui/workspace/segment_maps.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 
 using namespace volumen;
 using namespace volumen::tests;

@@ -6,12 +6,12 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
+#include "results/numbers/segment_columns.h"
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/segment/shape_masks.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/segment_columns.h"
 
 using namespace volumen;
 using namespace volumen::tests;

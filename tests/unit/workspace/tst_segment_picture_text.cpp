@@ -1,6 +1,6 @@
 // Guards segment.md, "See segments in 3D": the text of a PNG about segments.
+#include "results/segments/segment_picture_text.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/segment_picture_text.h"
 #include "viewer/segment/occupancy.h"
 
 using namespace volumen;

@@ -13,6 +13,7 @@
 #include "tests/unit/workspace/recorded_maps.h"
 #include "ui/controller/segment_import.h"
 #include "ui/controller/segment_parts.h"
+#include "ui/controller/segment_recipes.h"
 #include "ui/controller/segments_on_slices.h"
 #include "ui/workspace/workspace.h"
 

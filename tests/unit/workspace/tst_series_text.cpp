@@ -2,9 +2,9 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "io/study/series.h"
+#include "results/text/series_text.h"
+#include "results/text/text.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/series_text.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 

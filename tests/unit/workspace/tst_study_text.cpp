@@ -2,8 +2,8 @@
 #include <QTest>
 
 #include "io/study/study.h"
+#include "results/text/text.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/text.h"
 
 using namespace volumen;
 

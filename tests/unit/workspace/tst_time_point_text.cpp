@@ -1,6 +1,6 @@
 // Guards window.md "Play, and step through time": how the time points of a series are counted and named.
+#include "results/series/time_points.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/time_point_text.h"
 #include "ui/workspace/time_points.h"
 
 using namespace volumen;

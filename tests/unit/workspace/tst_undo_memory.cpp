@@ -2,9 +2,10 @@
 // the same labels. Only steps that have no room even so are dropped, and that is told.
 #include <QSignalSpy>
 
+#include "results/segments/segments.h"
 #include "tests/fixtures/chance.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/segments.h"
+#include "ui/workspace/series_segments.h"
 #include "ui/workspace/session.h"
 
 using namespace volumen;

@@ -1,6 +1,6 @@
 // Guards the text of window numbers and of long numbers.
+#include "results/text/value_text.h"
 #include "tests/unit/suite.h"
-#include "ui/workspace/value_text.h"
 
 using namespace volumen;
 
