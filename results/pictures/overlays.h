@@ -16,6 +16,8 @@ struct Overlays {
   QString left, right, top, bottom;  ///< the patient's sides at the edges
   QString date;                      ///< study date, large, at the top centre
   double mmPerPixel = 0;             ///< for the scale bar; 0: none
+  QString lengthsWord;               ///< what its mm refer to, "at detector"; empty: to the patient
+  QString number;                    ///< the line with the slice or frame number
   std::vector<QRectF> taken;         ///< areas that are already occupied
 
   /// True if there is nothing to write.

@@ -60,14 +60,14 @@ inline QImage plain(const FlatView& view, QSize pixels) {
   return drawn ? rgb(*drawn) : QImage();
 }
 
-inline void goTo(FlatView* view, int place) { view->scroll(place - view->place().index); }
+inline void goTo(FlatView* view, int place) { view->scroll(place - view->stack().place.index); }
 
 /// Scrolls to the slice with this number, as the corner text shows it.
 inline bool showNumber(FlatView* view, int number) {
-  for (int place = 0; place < view->place().count; ++place) {
+  for (int place = 0; place < view->stack().place.count; ++place) {
     goTo(view, place);
     const QStringList lines = view->overlays().topRight;
-    if (lines.contains(QStringLiteral("%1 / %2").arg(number).arg(view->place().count))) return true;
+    if (lines.contains(QStringLiteral("%1 / %2").arg(number).arg(view->stack().place.count))) return true;
   }
   return false;
 }

@@ -40,7 +40,7 @@ struct Attributes : References2d {
   QString value(const char* name) { return row(name) ? row(name)->text(3) : QString(); }
   // Returns the UID of the slice on screen.
   QString uidSeen() {
-    const std::optional<int> picture = view()->pictureSeen().index;
+    const std::optional<int> picture = view()->stack().seen.index;
     const Series& series = *workspace().series.at(view()->state().series).series;
     return picture ? QString::fromStdString(series.sopInstanceUids.at(std::size_t(*picture))) : QString();
   }
@@ -103,7 +103,7 @@ void TestAttributes::whereTheCrosshairIsCounts() {
   QVERIFY(w.open());
   for (const int steps : {0, 4, -7}) {
     w.view()->scroll(steps);
-    const std::optional<int> picture = w.view()->pictureSeen().index;
+    const std::optional<int> picture = w.view()->stack().seen.index;
     QVERIFY(picture);
     for (const ViewId id : {axialViewId, coronalViewId, sagittalViewId, sceneViewId})
       QCOMPARE(pictureOf(w.workspace(), id), picture);

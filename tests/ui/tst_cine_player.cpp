@@ -17,9 +17,7 @@ struct Listed : Playable {
   bool ready = true, time = false;
   std::vector<int> visited;
 
-  QString noun() const override { return QStringLiteral("Place"); }
-  int count() const override { return length; }
-  int place() const override { return at; }
+  Stack stack() const override { return countedStack(QStringLiteral("Place"), {at, length}); }
   SeriesKey source() const override { return {}; }
   Cine cine() const override { return {10, {}, false}; }
   void goTo(int place) override {

@@ -113,7 +113,7 @@ void TestClips::playingEndsWhereAnotherFrameIsWanted() {
   QTest::keyClick(w.view(), Qt::Key_C);
   QTRY_VERIFY_WITH_TIMEOUT(tests::frameIn(w.view())->key.index >= 3, longest);
   const int steps = w.session().undoStack().count();
-  showFrame(w.session(), axialViewId, 30);
+  goToPlace(w.session(), axialViewId, nullptr, 30);
   QVERIFY(!w.view()->isPlaying());
   QVERIFY(w.shows());
   QCOMPARE(w.look().frame, 30);
@@ -148,9 +148,7 @@ void TestClips::aClipPaintsNoOtherView() {
 void TestClips::aClipThatIsTooSlowIsRed() {
   struct Hundred : Playable {
     int at = 0;
-    QString noun() const override { return {}; }
-    int count() const override { return 100; }
-    int place() const override { return at; }
+    Stack stack() const override { return countedStack({}, {at, 100}); }
     SeriesKey source() const override { return {}; }
     Cine cine() const override { return {20, {}, false}; }
     void goTo(int place) override { at = place; }

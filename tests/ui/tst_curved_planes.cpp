@@ -158,10 +158,10 @@ void TestCurvedPlanes::scrollingItMovesTheSlices() {
   w.drawCurve(arch);
   QVERIFY(w.showCurve());
   const dvec3 before = w.crosshair(sections).at;
-  const StackPlace place = w.view(sections)->place();
+  const StackPlace place = w.view(sections)->stack().place;
   wheel(w.view(sections), -3);
   const dvec3 after = w.crosshair(sections).at;
-  QCOMPARE(w.view(sections)->place().index, place.index + 3);
+  QCOMPARE(w.view(sections)->stack().place.index, place.index + 3);
   const VoxelGeometry& g = w.loaded(sections)->volume->geometry();
   QVERIFY(std::abs(glm::distance(before, after) - 3 * g.spacing().z) < 1e-6);
   const QString corner = w.view(sections)->overlays().topRight.join(QLatin1Char('\n'));

@@ -206,7 +206,7 @@ void TestFirstViews::acquiredSlicesOfAnObliqueSeriesAreMarked() {
   QVERIFY(view);
   w.session().setFocus(view->id());
   wheel(view, -3);
-  const std::optional<int> seen = view->pictureSeen().index;
+  const std::optional<int> seen = view->stack().seen.index;
   QVERIFY(seen);
   QCOMPARE(w.corner()[1], QStringLiteral("%1 / 130").arg(*seen + 1));
   w.child<QAction>("keyImage")->trigger();
@@ -220,7 +220,7 @@ void TestFirstViews::acquiredSlicesOfAnObliqueSeriesAreMarked() {
   QCOMPARE(w.corner()[0], QStringLiteral("Axial"));
   // A slab is no acquired picture.
   wheel(view, 3, Qt::AltModifier);
-  QVERIFY(flatLookOf(view->state()).slabMm > 0 && !view->pictureSeen().index);
+  QVERIFY(flatLookOf(view->state()).slabMm > 0 && !view->stack().seen.index);
 }
 
 void TestFirstViews::framesOfASeriesHaveOneWindow() {

@@ -303,7 +303,7 @@ void TestKeyImagePages::picturesAreTheSlicesThatTheyName() {
   std::vector<int> slices;
   for (const int steps : {0, 8}) {
     w.view()->scroll(steps);
-    slices.push_back(w.view()->pictureSeen().index.value());
+    slices.push_back(w.view()->stack().seen.index.value());
     mark(w, 1);
   }
   saved(w, 2, false, at("slices"));

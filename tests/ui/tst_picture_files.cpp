@@ -27,7 +27,6 @@ class TestPictureFiles : public QObject {
   void textsAreWrittenOverThePictureItself();
   void namesAreHiddenInTheFileAlone();
   void aStackIsAFileForEachPlace();
-  void aReformattedStackCountsPlaces();
   void aStackOfFramesIsAFileForEachFrame();
   void aSheetHoldsPicturesInRowsAndColumns_data();
   void aSheetHoldsPicturesInRowsAndColumns();
@@ -213,30 +212,13 @@ void TestPictureFiles::aStackIsAFileForEachPlace() {
            QStringLiteral("Saved 4 pictures in "));
   for (const int number : {3, 5, 7, 9}) {
     QVERIFY(showNumber(w.view(), number));
-    QVERIFY2(w.view()->place().index != number - 1, "the wheel counts from the other end");
+    QVERIFY2(w.view()->stack().place.index != number - 1, "the wheel counts from the other end");
     const QImage file(made.filePath(QStringLiteral("CT Ball-000%1.png").arg(number)));
     QCOMPARE(rgb(file), w.view()->capture());
   }
   QTRY_COMPARE_WITH_TIMEOUT(
       QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(), 2,
       longest);
-}
-
-void TestPictureFiles::aReformattedStackCountsPlaces() {
-  const QTemporaryDir folder;
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view(coronalViewId)->picture().isNull(), longest);
-  w.session().setFocus(coronalViewId);
-  PictureDialog* dialog = ask(w, "saveStack");
-  QCOMPARE(dialog->findChild<QSpinBox*>(QStringLiteral("pictureLast"))->suffix(), QStringLiteral(" of 32"));
-  set(dialog, "pictureFirst", 8);
-  set(dialog, "pictureLast", 8);
-  accept(dialog);
-  answer(w, "pictureFilesDialog", folder.path());
-  const QString path = folder.filePath(QStringLiteral("CT Ball/CT Ball-0008.png"));
-  const QImage file = written(path);
-  goTo(w.view(coronalViewId), 7);
-  QCOMPARE(file, w.view(coronalViewId)->capture());
 }
 
 void TestPictureFiles::aStackOfFramesIsAFileForEachFrame() {

@@ -214,7 +214,7 @@ void TestReferenceLines::picturesHaveThoseOfTheirWorkspace() {
   FrameService frames;
   MeasuredNumbers measurer(copy, frames);
   const std::unique_ptr<FlatView> unseen =
-      w.window.views()->unseenView(copy, frames, measurer, left, w.window.views()->shown());
+      w.window.views()->unseenView(copy, frames, measurer, left, w.window.views()->highlights());
   unseen->resize(w.view(left)->size());
   w.scroll(right, 5);
   QVERIFY(w.lines(left).at(0).line != before);

@@ -45,15 +45,12 @@ class TestStackBar : public QObject {
   void whatIsInMemoryIsWide();
   void framesInMemoryAreTold();
   void aNumberIsTyped();
-  void numbersOfOtherPlanes();
-  void wrongNumbersSayWhy_data();
   void wrongNumbersSayWhy();
   void fieldsCloseWithWhatIsShown_data();
   void fieldsCloseWithWhatIsShown();
   void theNumberInTheCornerIsClicked();
   void escapeInAFieldKeepsTheViewMaximised();
   void framesAreGoneToByNumber();
-  void shiftMakesTheWheelFast_data();
   void shiftMakesTheWheelFast();
 };
 
@@ -214,40 +211,22 @@ void TestStackBar::aNumberIsTyped() {
   QVERIFY(w.session().workspace() == before);
 }
 
-void TestStackBar::numbersOfOtherPlanes() {
-  StackWindow w(stackSlices);
-  w.session().setFocus(coronalViewId);
-  w.view(coronalViewId)->setFocus();
-  QTest::keyClick(w.view(coronalViewId), Qt::Key_G);
-  auto* field = w.seen<QLineEdit>("placeNumber", coronalViewId);
-  QVERIFY(field);
-  QTest::keyClicks(field, QStringLiteral("5"));
-  QTest::keyClick(field, Qt::Key_Return);
-  QCOMPARE(w.place(coronalViewId), 4);
-  QVERIFY(w.view(coronalViewId)->overlays().topRight.contains(QStringLiteral("5 / 22")));
-}
-
-void TestStackBar::wrongNumbersSayWhy_data() {
-  QTest::addColumn<QString>("typed");
-  for (const char* typed : {"0", "32", "seven", "1.5", "-3", "", "1e9"})
-    QTest::addRow("'%s'", typed) << QString::fromLatin1(typed);
-}
-
 void TestStackBar::wrongNumbersSayWhy() {
-  QFETCH(QString, typed);
   StackWindow w(stackSlices);
   const Workspace before = w.session().workspace();
-  QTest::keyClick(w.view(), Qt::Key_G);
-  auto* field = w.seen<QLineEdit>("placeNumber");
-  QVERIFY(field);
-  w.type(field, typed);
-  QVERIFY(field->isVisible());
-  QCOMPARE(saidOf(w), QStringLiteral("Type a whole number from 1 to 31."));
-  QVERIFY(w.view()->rect().contains(field->parentWidget()->geometry()));
-  QTest::keyClick(field, Qt::Key_Escape);
-  QVERIFY(!w.seen<QLineEdit>("placeNumber"));
-  QCOMPARE(w.window.focusWidget(), w.view());
-  QVERIFY(w.session().workspace() == before);
+  for (const char* typed : {"0", "32", "seven", "1.5", "-3", "", "1e9"}) {
+    QTest::keyClick(w.view(), Qt::Key_G);
+    auto* field = w.seen<QLineEdit>("placeNumber");
+    QVERIFY2(field, typed);
+    w.type(field, QLatin1String(typed));
+    QVERIFY2(field->isVisible(), typed);
+    QCOMPARE(saidOf(w), QStringLiteral("Type a whole number from 1 to 31."));
+    QVERIFY2(w.view()->rect().contains(field->parentWidget()->geometry()), typed);
+    QTest::keyClick(field, Qt::Key_Escape);
+    QVERIFY2(!w.seen<QLineEdit>("placeNumber"), typed);
+    QCOMPARE(w.window.focusWidget(), w.view());
+    QVERIFY2(w.session().workspace() == before, typed);
+  }
 }
 
 void TestStackBar::fieldsCloseWithWhatIsShown_data() {
@@ -323,31 +302,28 @@ void TestStackBar::framesAreGoneToByNumber() {
   QCOMPARE(w.look().frame, 0);
 }
 
-void TestStackBar::shiftMakesTheWheelFast_data() {
-  QTest::addColumn<QPoint>("turned");
-  QTest::addColumn<Qt::KeyboardModifiers>("keys");
-  QTest::addColumn<int>("places");
-  const Qt::KeyboardModifiers none, shift = Qt::ShiftModifier;
-  QTest::newRow("one a notch") << QPoint(0, -120) << none << 1;
-  QTest::newRow("ten with Shift") << QPoint(0, -120) << shift << 10;
-  QTest::newRow("ten back") << QPoint(0, 120) << shift << -10;
-  QTest::newRow("where Shift makes it horizontal") << QPoint(-120, 0) << shift << 10;
-  QTest::newRow("a wheel of fine notches") << QPoint(0, -36) << shift << 3;
-  QTest::newRow("not beyond the end") << QPoint(0, -360) << shift << 15;
-}
-
 void TestStackBar::shiftMakesTheWheelFast() {
-  QFETCH(QPoint, turned);
-  QFETCH(Qt::KeyboardModifiers, keys);
-  QFETCH(int, places);
+  struct Turn {
+    const char* name;
+    QPoint by;
+    Qt::KeyboardModifiers keys;
+    int places;
+  };
+  const Qt::KeyboardModifiers shift = Qt::ShiftModifier;
   StackWindow w(stackSlices);
-  const int before = w.place();
-  QCOMPARE(before, 15);
   const QPointF middle = QRectF(w.view()->rect()).center();
-  QWheelEvent event(middle, w.view()->mapToGlobal(middle), {}, turned, Qt::NoButton, keys, Qt::NoScrollPhase,
-                    false);
-  QCoreApplication::sendEvent(w.view(), &event);
-  QCOMPARE(w.place(), before + places);
+  for (const Turn& turn : {Turn{"one a notch", {0, -120}, {}, 1},
+                           {"ten with Shift", {0, -120}, shift, 10},
+                           {"ten back", {0, 120}, shift, -10},
+                           {"where Shift makes it horizontal", {-120, 0}, shift, 10},
+                           {"a wheel of fine notches", {0, -36}, shift, 3},
+                           {"not beyond the end", {0, -360}, shift, 15}}) {
+    w.view()->goTo(15);
+    QWheelEvent event(middle, w.view()->mapToGlobal(middle), {}, turn.by, Qt::NoButton, turn.keys,
+                      Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(w.view(), &event);
+    QVERIFY2(w.place() == 15 + turn.places, turn.name);
+  }
 }
 
 VOLUMEN_TEST(TestStackBar);

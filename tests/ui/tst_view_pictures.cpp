@@ -83,7 +83,7 @@ void TestViewPictures::aFrameThatIsReadIsAwaited() {
   Frames w({clipFile});
   QVERIFY(w.shows());
   w.session().setFocus(axialViewId);
-  w.view()->scroll(w.view()->place().count / 2);
+  w.view()->scroll(w.view()->stack().place.count / 2);
   copied(w);
   QVERIFY(w.shows());
   const auto clipboard = [] { return QApplication::clipboard()->image(); };

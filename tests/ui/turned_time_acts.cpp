@@ -23,7 +23,7 @@ bool TurnedSequence::plays() {
   const bool isInTime = twin_.views.at(focus_).series == 0;
   if (!isInTime && twin_.place(focus_).second < 2) return false;
   const auto place = [&] {
-    if (!isInTime) return on->place().index;
+    if (!isInTime) return on->stack().place.index;
     const SeriesKey shown = workspace().view(focus_).series;
     const auto isIt = [&](const LoadedSeriesPtr& series) { return keyOf(series->series) == shown; };
     return shown == keyOf(series_[0]->series) ? 0

@@ -75,7 +75,7 @@ class FlatPictures : public QObject, public PictureMaker {
   void layOutForPaper();
 
   const ViewGrid& grid_;
-  const ViewGrid::Shown shown_;
+  const Highlights highlights_;
   const std::vector<PictureStop> stops_;
   const PictureLook look_;
   std::size_t at_ = 0;
@@ -90,7 +90,7 @@ class FlatPictures : public QObject, public PictureMaker {
 };
 
 FlatPictures::FlatPictures(const ViewGrid& grid, std::vector<PictureStop> stops, const PictureLook& look)
-    : grid_(grid), shown_(grid.shown()), stops_(std::move(stops)), look_(look) {
+    : grid_(grid), highlights_(grid.highlights()), stops_(std::move(stops)), look_(look) {
   numbersSoon_.setSingleShot(true);
   numbersSoon_.setInterval(waitMs);
   connect(&numbersSoon_, &QTimer::timeout, this, &FlatPictures::waitForNumbers);
@@ -114,7 +114,7 @@ void FlatPictures::make(std::size_t n, JobLane& lane, const Done& done) {
   measurer_.reset();
   copy_ = sessionOf(stop, look_.size);
   measurer_ = std::make_unique<MeasuredNumbers>(*copy_, frames_);
-  view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view, shown_);
+  view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view, highlights_);
   isPrepared_ = false;
   if (!view_)
     return answer(Error{tr("Only slices and frames can be made into such pictures.").toStdString()});
@@ -201,7 +201,6 @@ MadePicture FlatPictures::madeOf(QImage picture, double mmPerPixel) const {
   made.text = plainPictureText(static_cast<View&>(*view_).warningsShown());
   made.label = stops_[at_].label;
   made.overlays = view_->overlays();
-  made.lengthsWord = view_->lengthsWord();
   if (made.overlays.mmPerPixel > 0) made.mmPerPixel = mmPerPixel;
   return made;
 }

@@ -32,7 +32,8 @@ struct KeptPages {
     QByteArray png;
     QBuffer buffer(&png);
     picture.image.save(&buffer, "PNG");
-    pages.back().pictures.push_back({png, {{}, picture.mmPerPixel, label.caption, picture.lengthsWord}});
+    pages.back().pictures.push_back(
+        {png, {{}, picture.mmPerPixel, label.caption, picture.overlays.lengthsWord}});
   }
 
   Status paint(QPagedPaintDevice& device, const PageLook& look) const {

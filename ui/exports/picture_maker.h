@@ -19,7 +19,6 @@ struct MadePicture {
   PictureLabel label = {};
   Overlays overlays = {};                 ///< texts of a flat view, drawn over the picture or not
   std::optional<double> mmPerPixel = {};  ///< of the image; empty if it is not calibrated
-  QString lengthsWord = {};               ///< what the mm refer to if not to the patient
 };
 
 /// Makes the pictures of one export. It holds everything they show as it was when the export was requested,

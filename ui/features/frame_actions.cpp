@@ -10,6 +10,8 @@
 #include "ui/tools/tool.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
+#include "ui/workspace/frame_look.h"
+#include "results/text/text.h"
 #include "ui/workspace/time_points.h"
 #include "ui/workspace/view_window.h"
 #include "ui/workspace/when_changed.h"

@@ -54,7 +54,7 @@ QAction* KeyImages::add(const char* name, const QString& text, const QString& wo
 
 void KeyImages::toggleKeyImage() {
   FlatView* view = bench_.flatViewInFocus();
-  const auto [picture, interpolated] = view ? view->pictureSeen() : PictureSeen();
+  const auto [picture, interpolated] = view ? view->stack().seen : PictureSeen();
   if (interpolated)
     return tell(
         tr("This slice is interpolated between those that were acquired: scroll to one of these, "
@@ -76,7 +76,7 @@ void KeyImages::toggleKeyImage() {
 
 void KeyImages::goToKeyImage(int step) {
   FlatView* view = bench_.flatViewInFocus();
-  const std::optional<int> picture = view ? view->pictureSeen().index : std::nullopt;
+  const std::optional<int> picture = view ? view->stack().seen.index : std::nullopt;
   const SeriesKey series = view ? view->state().series : SeriesKey{};
   const std::optional<PicturePlace> next = panel_->next(series, picture.value_or(-1), step);
   if (!next) return tell(tr("There are no key images: K marks the picture that is shown."));

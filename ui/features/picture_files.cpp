@@ -51,15 +51,14 @@ void PictureFiles::ask(PicturesOf of) {
   auto* flat = qobject_cast<FlatView*>(grid_.viewShown());
   if (!flat || !flat->shown())
     return warn(tr("Click a slice or a frame first. 3D pictures of any size: File > Save 3D snapshot."));
-  auto* dialog =
-      new PictureDialog(of, flat->numberedPlaces(), flat->numberCount(), flat->size(), bench_.dialogParent());
+  auto* dialog = new PictureDialog(of, flat->stack(), flat->size(), bench_.dialogParent());
   const auto accept = [this, of, dialog, shown = flat->shown(),
                        now = heldNow({session_.workspace(), flat->id()}, session_)] {
     std::vector<PictureStop> stops;
-    for (const NumberedPlace& each : dialog->places()) {
+    for (const auto& [number, place] : dialog->places()) {
       stops.push_back(now);
-      stops.back().workspace = withPlace(now.workspace, now.view, *shown, each.place);
-      stops.back().label.number = each.number;
+      stops.back().workspace = withPlace(now.workspace, now.view, shown, place);
+      stops.back().label.number = number;
     }
     if (of == PicturesOf::view) stops = {now};
     const SheetLook sheet = sheetLook(*dialog, int(stops.size()), now);

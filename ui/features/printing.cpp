@@ -71,9 +71,10 @@ Seen Printing::seenIn(View& view) const {
   seen.look.edge = factor * flat->pixels().width();
   seen.look.seen = flat->size();
   seen.look.namesHidden = namesHidden();
-  seen.lengthsWord = flat->lengthsWord();
+  const Overlays overlays = flat->overlays();
+  seen.lengthsWord = overlays.lengthsWord;
   const SlicePlane plane = *flat->plane();
-  if (flat->overlays().mmPerPixel > 0) seen.mm = QSizeF(plane.size.x, plane.size.y) * plane.mmPerPixel;
+  if (overlays.mmPerPixel > 0) seen.mm = QSizeF(plane.size.x, plane.size.y) * plane.mmPerPixel;
   return seen;
 }
 

@@ -38,14 +38,13 @@ QCheckBox* hideNamesField(const QString& name) {
   return field;
 }
 
-PictureDialog::PictureDialog(PicturesOf of, std::vector<NumberedPlace> stack, int count, QSize seen,
-                             QWidget* parent)
+PictureDialog::PictureDialog(PicturesOf of, Stack stack, QSize seen, QWidget* parent)
     : QDialog(parent), of_(of), stack_(std::move(stack)), seen_(seen), form_(new QFormLayout(this)) {
   setObjectName(QStringLiteral("picturesDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(titleOf(of));
   addSize();
-  addNumbers(std::max(1, count));
+  addNumbers(std::max(1, stack_.numberCount));
   addTexts();
   addButtons();
   showCount();
@@ -131,12 +130,11 @@ int PictureDialog::every() const {
   return (count + room - 1) / room;
 }
 
-std::vector<NumberedPlace> PictureDialog::places() const {
+std::vector<std::pair<int, int>> PictureDialog::places() const {
   const auto [from, to] = std::minmax({first_->value(), last_->value()});
-  std::vector<NumberedPlace> places;
-  for (const NumberedPlace& each : stack_)
-    if (each.number >= from && each.number <= to && (each.number - from) % every() == 0)
-      places.push_back(each);
+  std::vector<std::pair<int, int>> places;
+  for (int number = from; number <= to; number += every())
+    if (const std::optional<int> place = stack_.placeOf(number)) places.emplace_back(number, *place);
   return places;
 }
 

@@ -7,6 +7,7 @@
 #include "ui/widgets/fields.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/picture_look.h"
+#include "ui/workspace/stack.h"
 
 class QFormLayout;
 
@@ -26,14 +27,12 @@ enum class PicturesOf {
 class PictureDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `stack` holds the positions of the view in order of their numbers, which go from 1 to `count`. `seen` is
-  /// the view's size in logical pixels.
-  PictureDialog(PicturesOf of, std::vector<NumberedPlace> stack, int count, QSize seen,
-                QWidget* parent = nullptr);
+  /// `stack` is that of the view, and `seen` its size in logical pixels.
+  PictureDialog(PicturesOf of, Stack stack, QSize seen, QWidget* parent = nullptr);
 
   PictureLook look() const;
-  /// Returns the chosen positions of the stack.
-  std::vector<NumberedPlace> places() const;
+  /// Returns the chosen numbers that have a position, and these positions.
+  std::vector<std::pair<int, int>> places() const;
   int columns() const { return columns_->value(); }
   /// Returns whether texts may be drawn over or beside pictures.
   bool withTexts() const { return texts_->isChecked(); }
@@ -48,7 +47,7 @@ class PictureDialog : public QDialog {
   void showCount();
 
   const PicturesOf of_;
-  const std::vector<NumberedPlace> stack_;
+  const Stack stack_;
   const QSize seen_;
   QFormLayout* form_;
   QComboBox* size_;

@@ -8,7 +8,6 @@
 #include "results/numbers/segments_over_time.h"
 #include "results/text/text.h"
 #include "results/text/value_text.h"
-#include "ui/controller/segment_time_values.h"
 #include "ui/derivations/measurement_charts.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"

@@ -1,10 +1,9 @@
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
 #include "io/study/frame_series.h"
 #include "ui/tools/tool.h"
-#include "ui/workspace/flat_plane.h"
+#include "ui/workspace/stack.h"
 
 namespace volumen {
 
@@ -14,28 +13,18 @@ namespace {
 class ScrollDrag : public Drag {
  public:
   explicit ScrollDrag(const SlicePress& press)
-      : press_(press),
-        kind_(press.session.workspace().view(press.view).kind),
-        atPress_(crosshairOf(press.session.workspace(), press.view, *press.series)),
-        frameAtPress_(lookOf(press).frame) {}
+      : press_(press), atPress_(stackIn(press.session.workspace(), press.view, press.series).place) {}
 
   void moveTo(QPointF p, Qt::KeyboardModifiers) override {
-    const VoxelGeometry& geometry = press_.series->volume->geometry();
-    const int count = showsFrames(kind_) ? frameCount(*seriesIn(press_.session.workspace(), press_.view))
-                                         : stackPlace(geometry, kind_, atPress_).count;
     const double height = press_.plane.size.y / press_.pixelRatio;
-    const int steps = int(std::lround((p.y() - press_.at.y()) / std::max(2.0, height / std::max(count, 8))));
-    if (showsFrames(kind_)) return showFrame(press_.session, press_.view, frameAtPress_ + steps);
-    moveCrosshair(press_.session, press_.view, *press_.series,
-                  QCoreApplication::translate("volumen", "Scroll"),
-                  scrolled(geometry, kind_, atPress_, steps));
+    const double pixels = std::max(2.0, height / std::max(atPress_.count, 8));
+    const int steps = int(std::lround((p.y() - press_.at.y()) / pixels));
+    goToPlace(press_.session, press_.view, press_.series, atPress_.index + steps);
   }
 
  private:
   const SlicePress press_;
-  const ViewKind kind_;
-  const Crosshair atPress_;
-  const int frameAtPress_;
+  const StackPlace atPress_;
 };
 
 }  // namespace

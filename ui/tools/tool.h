@@ -161,8 +161,8 @@ FlatLook lookOf(const SlicePress& press);
 /// Changes how a flat view shows its series. Changes with the same `text` within a gesture are one undo step.
 void editFlat(Session& session, ViewId view, const QString& text,
               const std::function<void(FlatLook&)>& change);
-/// Shows another frame in a view of frames; `frame` is clamped to those that exist.
-void showFrame(Session& session, ViewId view, int frame);
+/// Scrolls a flat view to a position of its stack (withPlace). Changes within a gesture are one undo step.
+void goToPlace(Session& session, ViewId view, const LoadedSeriesPtr& shown, int place);
 /// Moves and rotates the crosshair of a view's series.
 void setCrosshair(Session& session, ViewId view, const LoadedSeries& series, const QString& text,
                   const Crosshair& after);

@@ -6,6 +6,8 @@
 #include "results/text/text.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
+#include "ui/workspace/stack.h"
+#include "results/text/text.h"
 
 namespace volumen {
 
@@ -147,11 +149,8 @@ void editFlat(Session& session, ViewId view, const QString& text,
       text);
 }
 
-void showFrame(Session& session, ViewId view, int frame) {
-  const Series* series = seriesIn(session.workspace(), view);
-  if (!series || frameCount(*series) == 0) return;
-  editFlat(session, view, tr("Scroll"),
-           [&](FlatLook& look) { look.frame = std::clamp(frame, 0, frameCount(*series) - 1); });
+void goToPlace(Session& session, ViewId view, const LoadedSeriesPtr& shown, int place) {
+  session.change(tr("Scroll"), withPlace(session.workspace(), view, shown, place), tr("Scroll"));
 }
 
 void setCrosshair(Session& session, ViewId view, const LoadedSeries& series, const QString& text,

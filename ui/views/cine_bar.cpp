@@ -21,11 +21,11 @@ constexpr double usualRates[] = {1, 2, 3, 5, 7, 10, 15, 20, 25, 30, 40, 50, 60, 
 constexpr int widthForNumber = 195, widthForWays = 255, widthForRate = 360, widthForRange = 520;
 
 // Returns the first number between two positions; 0 if there is none.
-int numberOnTheWay(const Playable& what, int from, int to) {
+int numberOnTheWay(const Stack& stack, int from, int to) {
   const int step = from <= to ? 1 : -1;
   for (int place = from; place != to; place += step)
-    if (const int number = what.numberOf(place)) return number;
-  return what.numberOf(to);
+    if (const int number = stack.numberOf(place)) return number;
+  return stack.numberOf(to);
 }
 
 }  // namespace
@@ -82,10 +82,10 @@ void CineBar::add(std::unique_ptr<Playable> what, bool before) {
 
 // Returns what is played: the user's choice, else clips first. Null if nothing can be played.
 Playable* CineBar::current() const {
-  if (chosen_ && chosen_->count() > 1) return chosen_;
+  if (chosen_ && isThere(*chosen_)) return chosen_;
   Playable* first = nullptr;
   for (const auto& what : all_) {
-    if (what->count() < 2) continue;
+    if (!isThere(*what)) continue;
     if (what->isClip()) return what.get();
     if (!first) first = what.get();
   }
@@ -100,7 +100,7 @@ void CineBar::goTo(int place) {
   Playable* what = current();
   if (!what) return;
   stop();
-  what->goTo(std::clamp(place, 0, what->count() - 1));
+  what->goTo(std::clamp(place, 0, what->stack().place.count - 1));
 }
 
 void CineBar::togglePlay() {
@@ -163,9 +163,10 @@ void CineBar::tellShown(int place) {
 }
 
 bool CineBar::stepTime(int steps) {
-  if (time_->count() < 2) return false;
+  if (!isThere(*time_)) return false;
   stop();
-  time_->goTo(std::clamp(time_->place() + steps, 0, time_->count() - 1));
+  const StackPlace now = time_->stack().place;
+  time_->goTo(std::clamp(now.index + steps, 0, now.count - 1));
   return true;
 }
 
@@ -189,49 +190,48 @@ void CineBar::setRound(const CineRound& round) {
 void CineBar::look() {
   Playable* what = current();
   if (player_ && what != played_) giveUp();
-  const std::pair source(what ? what->source() : SeriesKey{}, what ? what->count() : 0);
+  const Stack stack = what ? what->stack() : Stack();
+  const std::pair source(what ? what->source() : SeriesKey{}, stack.place.count);
   if (what && std::exchange(roundOf_, source) != source) {
     endPlayer();
     const Cine cine = what->cine();
-    round_ = {0, what->count() - 1, cine.backAndForth, true, cineRate(cine)};
+    round_ = {0, stack.place.count - 1, cine.backAndForth, true, cineRate(cine)};
   }
   if (what) {
-    showNumbers();
-    showChoices();
+    showNumbers(stack, what->axis());
+    showChoices(stack.noun);
   }
   const bool isUsed = isAncestorOf(window()->focusWidget());
-  setShown(what && (player_ || what->isClip() || time_->count() > 1 || isPointedAt_ || isUsed));
+  setShown(what && (player_ || what->isClip() || isThere(*time_) || isPointedAt_ || isUsed));
 }
 
-void CineBar::showNumbers() {
-  const Playable& what = *current();
+void CineBar::showNumbers(const Stack& stack, const QString& axis) {
   const QSignalBlocker quiet(place_);
-  place_->setMaximum(what.count() - 1);
-  place_->setValue(what.place());
-  if (place_->accessibleName() != what.noun()) place_->setAccessibleName(what.noun());
-  const QStringList said{what.noun(), what.axis()};
+  place_->setMaximum(stack.place.count - 1);
+  place_->setValue(stack.place.index);
+  if (place_->accessibleName() != stack.noun) place_->setAccessibleName(stack.noun);
+  const QStringList said{stack.noun, axis};
   if (place_->toolTip() != toolTipOf(said)) place_->setToolTip(toolTipOf(said));
-  number_->setNumber(what.number(), 1, what.numberCount());
-  const int first = numberOnTheWay(what, round_.first, round_.last),
-            last = numberOnTheWay(what, round_.last, round_.first);
+  number_->setNumber(stack.number, 1, stack.numberCount);
+  const int first = numberOnTheWay(stack, round_.first, round_.last),
+            last = numberOnTheWay(stack, round_.last, round_.first);
   const auto show = [](TypedNumber* field, int number, std::pair<int, int> limits) {
     field->setNumber(number, std::min(limits.first, limits.second), std::max(limits.first, limits.second));
   };
-  show(first_, first, {numberOnTheWay(what, 0, round_.last), last});
-  show(last_, last, {first, numberOnTheWay(what, what.count() - 1, round_.first)});
+  show(first_, first, {numberOnTheWay(stack, 0, round_.last), last});
+  show(last_, last, {first, numberOnTheWay(stack, stack.place.count - 1, round_.first)});
   rate_->setNumber(round_.rate, std::min(leastRate, round_.rate), mostRate, 2);
   makeRoom();
 }
 
-void CineBar::showChoices() {
+void CineBar::showChoices(const QString& noun) {
   for (const auto& [button, on] : {std::pair(back_, round_.backAndForth), std::pair(loop_, round_.loops)}) {
     const QSignalBlocker quiet(button);
     button->setChecked(on);
   }
   play_->setText(player_ ? QStringLiteral("\u25a0") : QStringLiteral("\u25b6"));
-  const auto isThere = [](const auto& what) { return what->count() > 1; };
-  what_->setVisible(std::ranges::count_if(all_, isThere) > 1);
-  what_->setText(current()->noun());
+  what_->setVisible(std::ranges::count_if(all_, [](const auto& what) { return isThere(*what); }) > 1);
+  what_->setText(noun);
 }
 
 void CineBar::setShown(bool wanted) {

@@ -64,6 +64,7 @@ class CineBar : public QWidget {
   QToolButton* addButton(const char* name, const QString& text, const QString& tip, bool checkable);
   TypedNumber* addNumber(const char* name, const QString& tip, const QString& widest);
   QLabel* addWord(const QString& word);
+  static bool isThere(const Playable& what) { return what.stack().place.count > 1; }
   Playable* current() const;
   std::optional<int> placeTyped(const TypedNumber& field, int number);
   static void refuse(const TypedNumber& field, const QString& why);
@@ -74,8 +75,8 @@ class CineBar : public QWidget {
   bool isOvertaken(const Workspace& before, const Workspace& after) const;
   void seeSteps(int steps);
   void setRound(const CineRound& round);
-  void showNumbers();
-  void showChoices();
+  void showNumbers(const Stack& stack, const QString& axis);
+  void showChoices(const QString& noun);
   void makeRoom();
   void setShown(bool wanted);
 

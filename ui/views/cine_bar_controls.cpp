@@ -71,7 +71,7 @@ void CineBar::connectControls() {
     stop();
     const Playable* now = current();
     for (const auto& other : all_)
-      if (other.get() != now && other->count() > 1) chosen_ = other.get();
+      if (other.get() != now && isThere(*other)) chosen_ = other.get();
     look();
   });
   connect(place_, &QSlider::valueChanged, this, &CineBar::goTo);
@@ -104,8 +104,9 @@ void CineBar::connectControls() {
 // Returns the position of a number. If it has none, reports that at the field and restores its content.
 std::optional<int> CineBar::placeTyped(const TypedNumber& field, int number) {
   const Playable* what = current();
-  const std::optional<int> place = what ? what->placeOf(number) : std::nullopt;
-  if (what && !place) refuse(field, tr("%1 %2 is not in the volume.").arg(what->noun()).arg(number));
+  const Stack stack = what ? what->stack() : Stack();
+  const std::optional<int> place = what ? stack.placeOf(number) : std::nullopt;
+  if (what && !place) refuse(field, tr("%1 %2 is not in the volume.").arg(stack.noun).arg(number));
   if (!place) look();
   return place;
 }

@@ -21,8 +21,8 @@ CinePlayer::CinePlayer(Playable& what, const CineRound& round, std::function<dou
     : what_(what),
       round_(round),
       clock_(clock ? std::move(clock) : machineClock()),
-      track_(what.cine(), round, what.place()),
-      asked_(what.place()),
+      track_(what.cine(), round, what.stack().place.index),
+      asked_(what.stack().place.index),
       seen_(clock_()) {
   connect(&timer_, &QTimer::timeout, this, &CinePlayer::tick);
   timer_.setTimerType(Qt::PreciseTimer);

@@ -24,7 +24,7 @@ class CinePlayer : public QObject {
   /// Returns whether the player is changing the position right now.
   bool isGoing() const { return isGoing_; }
   /// Returns whether the position is still the one requested last, so nothing else changed it.
-  bool isWhereItWent() const { return what_.place() == asked_; }
+  bool isWhereItWent() const { return what_.stack().place.index == asked_; }
   /// Stops the timer and deletes the player later, because this may be called from its tick.
   void end();
   /// Reads the clock and moves on, as the timer does.

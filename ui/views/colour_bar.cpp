@@ -54,6 +54,19 @@ class BarEndDrag : public Drag {
 
 }  // namespace
 
+std::optional<ColourBar> colourBarOf(const Session& session, ViewId view) {
+  const Workspace& workspace = session.workspace();
+  const LoadedSeriesPtr shown = session.seriesOf(view);
+  if (!shown || !showsSlices(workspace.view(view).kind)) return {};
+  const FlatLook look = flatLookOf(workspace.view(view));
+  if (const LoadedSeriesPtr over = session.seriesNamed(look.overlay))
+    return ColourBar{view, over, look.overlayColours, overlayWindow(workspace.series.at(look.overlay), *over),
+                     true};
+  const SeriesState series = seriesStateIn(workspace, view);
+  if (series.colours == ColourMap::grey) return {};
+  return ColourBar{view, shown, series.colours, flatWindow(series, *shown), false};
+}
+
 QRectF colourBarRect(const QRectF& area) {
   const double high = std::min(highestBar, area.height() / 3);
   if (high < lowestBar) return {};

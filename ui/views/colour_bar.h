@@ -19,6 +19,9 @@ struct ColourBar {
   bool over = false;
 };
 
+/// Returns the colour bar of a view of slices; nothing if it shows grey only.
+std::optional<ColourBar> colourBarOf(const Session& session, ViewId view);
+
 /// Returns the rectangle of the bar, upright at the left edge of `area`, in logical pixels. It is empty if
 /// there is no room.
 QRectF colourBarRect(const QRectF& area);

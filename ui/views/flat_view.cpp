@@ -9,9 +9,22 @@
 #include "ui/derivations/measured_numbers.h"
 #include "ui/views/cine_bar.h"
 #include "ui/widgets/warning_badge.h"
+#include "results/text/text.h"
+#include "ui/workspace/time_points.h"
 #include "ui/workspace/view_window.h"
 
 namespace volumen {
+
+namespace {
+
+bool areTimePointsIn(const Workspace& workspace, const SeriesKey& a, const SeriesKey& b) {
+  const auto& all = workspace.series;
+  const auto first = all.find(a), second = all.find(b);
+  return first != all.end() && second != all.end() &&
+         areTimePoints(*first->second.series, *second->second.series);
+}
+
+}  // namespace
 
 FlatView::FlatView(const ViewParts& parts, ViewId id, QWidget* parent)
     : View(parts.session, id, parent),
@@ -110,29 +123,28 @@ QImage FlatView::captureWith(QImage picture) const {
   return picture;
 }
 
+// If frames of a clip come faster than they are drawn, any frame is better than none.
 bool FlatView::mayShow(const SliceRequest& request) const {
-  return request.layers.front().volume == asked_->layers.front().volume;
+  const bool isOfClip = request.frame && request.frame->key.series == state().series;
+  return isOfClip || request.layers.front().volume == asked_->layers.front().volume;
 }
-
-bool FlatView::isWanted(const SliceRequest& request) const { return request == *asked_; }
 
 bool FlatView::isAtRest() const { return asked_ && drawn_ == asked_ && !drag_; }
 
-bool FlatView::showPicture(const SlicePicture& picture) {
-  if (picture.request.view == id() && picture.request.ofLens && lensAsked_ && asked_ &&
-      mayShow(picture.request)) {
+void FlatView::showPicture(const SlicePicture& picture) {
+  if (picture.request.view != id() || !asked_ || !mayShow(picture.request)) return;
+  if (picture.request.ofLens) {
+    if (!lensAsked_) return;
     lens_ = picture;
     lens_->image.setDevicePixelRatio(devicePixelRatioF());
-    update();
+    return update();
   }
-  if (picture.request.ofLens || picture.request.view != id() || !asked_ || !mayShow(picture.request))
-    return false;
   picture_ = picture.image;
   drawn_ = picture.request;
   picture_.setDevicePixelRatio(devicePixelRatioF());
   update();
   if (isWanted(picture.request)) Q_EMIT settled();
-  return true;
+  if (isPlaying() && picture.request.frame) cine_->tellShown(picture.request.frame->key.index);
 }
 
 void FlatView::forget() {
@@ -153,7 +165,9 @@ void FlatView::workspaceChanged(const Workspace&) {
   const auto last = std::exchange(showed_, now);
   if (last != now) {
     giveUpDrag();  // it belongs to the series shown before
-    if (last.second != now.second || !keepsPictureOf(last.first)) forget();
+    // Slices stay until that of another time point is drawn.
+    const bool isOneStack = last.second == now.second && showsSlices(now.second);
+    if (!isOneStack || !areTimePointsIn(session_.workspace(), last.first, now.first)) forget();
   }
   if (last != now || !shown()) closeFields();
   ask();
@@ -177,7 +191,10 @@ void FlatView::setTool(const Tool& tool) {
 
 void FlatView::resetView() {
   if (state().series.empty() || !letGo()) return;
-  Workspace after = unturned(session_.workspace());
+  Workspace after = session_.workspace();
+  if (const LoadedSeriesPtr shown = this->shown(); shown && showsSlices(state().kind))
+    if (const Crosshair before = crosshairOf(after, id(), *shown); before.byHand)
+      after = withCrosshair(std::move(after), id(), frameOfReference(shown->series), before, {before.at});
   makeWhole(after.editView(id()).flats.editOrAdd(state().series));
   session_.change(tr("Reset view"), after);
   session_.endGesture();
@@ -237,7 +254,27 @@ void FlatView::invert() {
 std::optional<SlicePress> FlatView::pressAt(QPointF p) const {
   const std::optional<SlicePlane> now = plane();
   if (!now) return {};
-  return SlicePress{session_, id(), shown(), *now, devicePixelRatioF(), p, greyWindow(), shapeFrame()};
+  return SlicePress{
+      session_, id(), shown(), *now, devicePixelRatioF(), p, windowShown().value_or(Window()), shapeFrame()};
+}
+
+bool FlatView::hasCursor() const {
+  return showsSlices(state().kind) || (shown() && shown()->volume->geometry().calibrated);
+}
+
+void FlatView::setHighlights(const Highlights& highlights) {
+  highlights_ = highlights;
+  askForPicture();
+  update();
+}
+
+void FlatView::makeThicker(int steps) {
+  const LoadedSeriesPtr shown = this->shown();
+  if (!shown || !showsSlices(state().kind) || steps == 0) return;
+  const double step = wheelStep(shown->volume->geometry(), plane()->normal());
+  editFlat(session_, id(), tr("Slab"), [&](FlatLook& look) {
+    look.slabMm = std::clamp(std::round(look.slabMm / step + steps) * step, 0.0, 500.0);
+  });
 }
 
 void FlatView::showEvent(QShowEvent* event) {

@@ -13,8 +13,7 @@
 #include "ui/views/view.h"
 #include "ui/views/view_makers.h"
 #include "ui/workspace/corner_text.h"
-#include "ui/workspace/flat_plane.h"
-#include "ui/workspace/key_images.h"
+#include "ui/workspace/stack.h"
 #include "ui/workspace/window_keys.h"
 
 class QNativeGestureEvent;
@@ -23,12 +22,20 @@ namespace volumen {
 
 class CineBar;
 class WarningBadge;
+class WindowEdit;
+struct ColourBar;
 struct DrawnMeasurement;
 struct ReferenceLine;
 
+/// What flat views show that is not part of the workspace.
+struct Highlights {
+  bool clip = false;                     ///< whether a clip box of the whole volume is shown
+  std::optional<VolumeRange> segment{};  ///< tinted in slices of its volume
+};
+
 /// A view of a planar picture that is always drawn completely, without drafts. The left button acts as the
 /// tool, the other buttons and the wheel as bound (ui/tools/mouse_bindings). A pinch zooms, a right click
-/// opens a menu. Derived classes define the picture, scrolling and windows.
+/// opens a menu. Derived classes define the picture, its texts and its windows.
 class FlatView : public View {
   Q_OBJECT
  public:
@@ -50,12 +57,15 @@ class FlatView : public View {
   /// Returns whether the results of all measurements in it are ready. Requests those that are missing.
   bool isMeasured() const;
   void setTool(const Tool& tool);
-  /// Scrolls down by `steps`.
-  virtual void scroll(int steps) = 0;
+  void setHighlights(const Highlights& highlights);
+  /// Returns the stack with the picture on screen.
+  virtual Stack stack() const { return stackIn(session_.workspace(), id(), shown()); }
+  /// Scrolls down by `steps`. A clip stops playing.
+  void scroll(int steps);
   /// Scrolls to a position of the stack, from 0. A clip stops playing.
-  virtual void goTo(int place) = 0;
+  void goTo(int place);
   /// Returns the stack bar; nothing if there is one position or nothing is shown.
-  std::optional<StackBar> stackBar() const;
+  virtual std::optional<StackBar> stackBar() const;
   /// Opens a field for a slice or frame number at the number's position. Does nothing for a single picture.
   void typeNumber();
   /// Resets zoom, pan and slab thickness.
@@ -64,7 +74,7 @@ class FlatView : public View {
   /// or the workspace has something else in this view.
   virtual LoadedSeriesPtr shown() const = 0;
   /// Returns why the picture cannot be shown; empty if it can.
-  virtual QString failure() const { return {}; }
+  const QString& failure() const { return failure_; }
   /// Plays the view's frames, slices or time points, or stops at the current position.
   void togglePlay();
   bool isPlaying() const;
@@ -76,28 +86,21 @@ class FlatView : public View {
     QString name;
     bool isChosen;
     WindowKey key{};
+    ChosenWindow window{};
   };
   /// Returns the windows on offer: automatic, those of the file, of tissues, and the user's own. Empty if
   /// there is no choice.
   virtual std::vector<WindowChoice> windows() const = 0;
-  virtual void chooseWindow(int number) = 0;
+  /// Chooses one of windows(); ignores numbers beyond them.
+  void chooseWindow(int number);
   /// Returns the window in use, in the values of shown(). Nothing for colours or if nothing is in memory.
-  std::optional<Window> windowShown() const;
+  virtual std::optional<Window> windowShown() const = 0;
   /// Turns the picture by `by` in addition to its present orientation.
   void turnPicture(const QString& text, PictureTurn by);
   /// Zooms to `mmPerPixel` (device pixels) about the centre.
   void zoomTo(double mmPerPixel);
   /// Returns the shorter edge in mm of a pixel of the source. Valid only if shown() is not null.
   double ownPixelMm() const;
-  /// Returns what the mm refer to, such as "at detector". Empty if they are the patient's or there are none.
-  virtual QString lengthsWord() const { return {}; }
-  /// Returns the acquired slice or frame that is seen.
-  virtual PictureSeen pictureSeen() const = 0;
-  /// Returns the position in the stack and the number of positions.
-  virtual StackPlace place() const = 0;
-  /// Returns how many numbers there are. numberedPlaces() has their stack positions in numeric order.
-  int numberCount() const { return numbers().count; }
-  std::vector<NumberedPlace> numberedPlaces() const;
   /// Returns the visible measurements; the one being drawn is last.
   std::vector<DrawnMeasurement> drawnMeasurements() const;
   /// Planes of the stack: the one on screen and those at its ends.
@@ -106,11 +109,10 @@ class FlatView : public View {
     StackPart part;
     SlicePlane plane;
   };
-  /// Returns the planes that other views show as lines, the one on screen first. Empty without a position in
-  /// the patient. With `ends` includes the first and the last plane if known.
-  std::vector<StackPlane> stackPlanes(bool ends) const { return stackPlanesIn(session_.workspace(), ends); }
-  /// Returns the same for another workspace; empty if that has something else in this view.
-  virtual std::vector<StackPlane> stackPlanesIn(const Workspace& workspace, bool ends) const;
+  /// Returns the planes of a workspace that other views show as lines, first the one on screen. Empty without
+  /// a position in the patient, or if the workspace has something else in this view. With `ends` includes the
+  /// first and the last plane if known.
+  std::vector<StackPlane> stackPlanesIn(const Workspace& workspace, bool ends) const;
   /// Returns the intersections with planes of other views on screen, as the preferences say. Those views
   /// share the frame of reference or are linked to it, and have no line of the crosshair.
   std::vector<ReferenceLine> referenceLines() const;
@@ -139,64 +141,23 @@ class FlatView : public View {
   virtual SlicePlane planeShown(const SlicePlane& plane) const { return plane; }
   /// Returns the request for the picture of a plane.
   virtual SliceRequest requestOf(const SlicePlane& plane) const = 0;
-  /// Returns whether a picture may be shown until the one requested last arrives.
-  virtual bool mayShow(const SliceRequest& request) const;
   /// Returns whether the picture corresponds to the workspace.
-  virtual bool isWanted(const SliceRequest& request) const;
-  /// Returns whether the picture of series `before` stays until the first one of this series.
-  virtual bool keepsPictureOf(const SeriesKey& before) const = 0;
+  virtual bool isWanted(const SliceRequest& request) const { return request == asked_; }
   /// Discards everything of the series shown before.
   virtual void forget();
   /// Requests the picture of the current workspace.
   virtual void ask() { askForPicture(); }
   void askForPicture();
-  /// Returns false if the picture is of something else or none was requested.
-  virtual bool showPicture(const SlicePicture& picture);
-
-  /// Returns the window in use.
-  virtual Window greyWindow() const = 0;
-  /// Returns false for colour pictures.
-  virtual bool hasWindow() const { return true; }
-  /// Returns whether its points lie in the patient.
-  virtual bool hasCursor() const { return true; }
-  virtual void makeThicker(int /*steps*/) {}
   /// Stops playing at the current position.
   void stop();
+  /// Scrolls to a position while playing.
+  void moveTo(int place) { goToPlace(session_, id(), shown(), place); }
   /// Returns whether the picture corresponds to the workspace and no drag is in progress.
   bool isAtRest() const;
-  /// The number of the picture shown (0 if it has none) and the total.
-  struct Numbers {
-    QString noun;
-    int now = 0, count = 0;
-  };
-  virtual Numbers numbers() const = 0;
-  /// Returns the corner text with the number.
-  virtual QString numberLine() const = 0;
-  /// Returns the stack position of a number, if it has one.
-  virtual std::optional<int> placeOf(int number) const = 0;
-  /// Shows the picture of a number. Returns why it cannot, or an empty string.
-  virtual QString goToNumber(int number) = 0;
-  /// Returns the stack positions that are key images.
-  virtual std::vector<int> keyImagePlaces() const = 0;
-  /// Returns the runs of positions in memory.
-  virtual std::vector<std::pair<int, int>> heldPlaces() const = 0;
-  /// Returns the workspace with this view's planes in their original orientation.
-  virtual Workspace unturned(Workspace workspace) const { return workspace; }
   virtual Warnings warnings() const = 0;
   virtual QString hoverText(QPointF position) const = 0;
-  virtual std::vector<const Measurement*> measurements() const = 0;
-  /// Returns the frame that new shapes belong to; nothing if they belong to the patient.
-  virtual std::optional<ShapeFrame> shapeFrame() const { return {}; }
-  /// Starts a drag of a line over the picture; null if none is under the press.
-  virtual std::unique_ptr<Drag> pressLine(const SlicePress& /*press*/) const { return nullptr; }
-  /// Returns whether a line is under the press.
-  virtual bool isOnLine(const SlicePress& /*press*/) const { return false; }
   /// Paints lines below measurements and texts.
   virtual void paintLines(QPainter& painter) const;
-  /// Paints above everything else.
-  virtual void paintColours(QPainter& /*painter*/) const {}
-  /// Paints handles, which are on screen only.
-  virtual void paintHandles(QPainter& /*painter*/) const {}
 
   /// Returns the state of its series in this view (ui/workspace/view_window).
   SeriesState seriesState() const;
@@ -232,16 +193,31 @@ class FlatView : public View {
   bool event(QEvent*) override;
   void leaveEvent(QEvent*) override;
   bool hasMenu() const override { return shown() != nullptr; }
-  /// Returns the tool of the left button.
-  const Tool& tool() const { return *tool_; }
   void hideEvent(QHideEvent*) override;
 
   SliceService& service_;
   DerivedObjects& derived_;
   CineBar* cine_;
+  Highlights highlights_;
+  QString failure_;
 
  private:
   SlicePlane fittedPlane(const Workspace& workspace, QSize pixels) const;
+  /// Returns whether a picture may be shown until the one requested last arrives.
+  bool mayShow(const SliceRequest& request) const;
+  void showPicture(const SlicePicture& picture);
+  /// Returns whether its points lie in the patient.
+  bool hasCursor() const;
+  void makeThicker(int steps);
+  /// Returns the measurements that its picture can show.
+  std::vector<const Measurement*> measurements() const;
+  /// Returns the frame that new shapes belong to; nothing if they belong to the patient.
+  std::optional<ShapeFrame> shapeFrame() const;
+  std::unique_ptr<Drag> pressLine(const SlicePress& press) const;
+  bool isOnLine(const SlicePress& press) const;
+  bool hasCrosshairTool() const { return tool_ == &toolNamed("crosshair"); }
+  void paintColourBar(QPainter& painter) const;
+  void typeBar(const ColourBar& bar);
   const Tool* toolFor(const QMouseEvent& event) const;
   bool takesCrosshair(const QMouseEvent& event);
   bool movesCrosshair(Qt::KeyboardModifiers keys) const;
@@ -253,6 +229,10 @@ class FlatView : public View {
   QRectF numberRect() const;
   bool pressCorner(QPointF p);
   void typeWindow();
+  /// Opens two fields for a window of a series, stored values, or for its ends. Setting them is one undo
+  /// step.
+  WindowEdit* openWindowEdit(const Window& stored, const LoadedSeriesPtr& of, bool ends,
+                             const std::function<void(const Window&)>& set);
   void closeFields();
   void placeBadge();
   void placeCineBar();

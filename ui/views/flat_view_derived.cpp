@@ -4,7 +4,9 @@
 #include "results/segments/region_colours.h"
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/segment_editing.h"
+#include "ui/views/clip_lines.h"
 #include "ui/views/contour_lines.h"
+#include "ui/views/cross_lines.h"
 #include "ui/views/flat_view.h"
 #include "ui/workspace/key_images.h"
 
@@ -94,7 +96,7 @@ void FlatView::addSegmentMaps(std::vector<SegmentLayer>& layers) const {
   if (relation) addSegmentsOf(over->first, relation->toFromFrom, layers);
 }
 
-// Paints contours.
+// Paints contours, the clip box and the other planes.
 void FlatView::paintLines(QPainter& painter) const {
   const double ratio = devicePixelRatioF();
   const SlicePlane now = *plane();
@@ -112,10 +114,15 @@ void FlatView::paintLines(QPainter& painter) const {
       paintContours(painter, lines, ratio);
   }
   painter.restore();
+  if (!showsSlices(state().kind)) return;
+  const SlicePress here = *pressAt({});
+  paintClipLines(painter, clipLines(here, highlights_.clip));
+  paintCrossLines(painter, crossLines(here),
+                  here.pixelAt(crosshairOf(session_.workspace(), id(), *shown()).at), rect());
 }
 
 QString FlatView::keyImageText() const {
-  const std::optional<int> picture = pictureSeen().index;
+  const std::optional<int> picture = stack().seen.index;
   if (!picture) return {};
   const Series& series = *seriesState().series;
   const std::optional<KeyImage> image = keyImageOf(series, *picture);

@@ -52,7 +52,7 @@ void FlatView::paintLens(QPainter& painter) const {
   painter.setClipPath(circle);
   painter.drawImage(place.topLeft(), lens_->image);
   paintOverlays(painter, overlays(), overlayArea());
-  paintColours(painter);
+  paintColourBar(painter);
   painter.restore();
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -6,6 +6,7 @@
 
 #include "results/text/text.h"
 #include "ui/derivations/measured_numbers.h"
+#include "ui/views/colour_bar.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/latin_key.h"
@@ -39,6 +40,17 @@ QStringList textOf(const Measurement& m, MeasuredNumbers& measurer, const Worksp
 }
 
 }  // namespace
+
+std::vector<const Measurement*> FlatView::measurements() const {
+  const Workspace& workspace = session_.workspace();
+  return showsFrames(state().kind) ? measurementsOn(workspace, *seriesState().series, stack().place.index)
+                                   : measurementsIn(workspace, frameOfReference(shown()->series));
+}
+
+std::optional<ShapeFrame> FlatView::shapeFrame() const {
+  if (!shown() || !showsFrames(state().kind)) return {};
+  return frameNamed(*seriesState().series, stack().place.index);
+}
 
 std::vector<DrawnMeasurement> FlatView::drawnMeasurements() const {
   std::vector<DrawnMeasurement> drawn;
@@ -198,6 +210,8 @@ bool FlatView::event(QEvent* event) {
 
 void FlatView::mouseDoubleClickEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
+  const std::optional<ColourBar> bar = colourBarOf(session_, id());
+  if (bar && isOnColourBar(rect(), event->position())) return typeBar(*bar);
   if (tool_->clicks) return mousePressEvent(event);  // a further click, however soon
   if (!drag_ && isOnStackBar(event->position())) return mousePressEvent(event);
   if (drag_) {

@@ -28,7 +28,7 @@ const Tool* FlatView::toolFor(const QMouseEvent& event) const {
   if (bound == "crosshair" && !hasCursor()) bound = isLeft ? "chosen" : "none";
   if (bound == "none") return nullptr;
   if (bound != "chosen") return &toolNamed(bound);
-  return !hasCursor() && tool_ == &toolNamed("crosshair") ? nullptr : tool_;
+  return !hasCursor() && hasCrosshairTool() ? nullptr : tool_;
 }
 
 void FlatView::mousePressEvent(QMouseEvent* event) {
@@ -51,7 +51,8 @@ void FlatView::mousePressEvent(QMouseEvent* event) {
   const bool isHand = isChosen && !tool->looking;
   if (isHand) drag_ = pressMeasurement(*press);
   if (!drag_ && isHand && !tool->draws()) drag_ = pressLine(*press);
-  if (!drag_ && !hasWindow() && (tool == &toolNamed("window") || tool == &toolNamed("regionWindow"))) return;
+  if (!drag_ && !windowShown() && (tool == &toolNamed("window") || tool == &toolNamed("regionWindow")))
+    return;
   if (!drag_) drag_ = tool->inSlices(*press);
   showDrawing();
   askForLens();
@@ -190,9 +191,9 @@ void FlatView::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_PageDown:
       return scroll(10);
     case Qt::Key_Home:
-      return scroll(-place().count);
+      return scroll(-stack().place.count);
     case Qt::Key_End:
-      return scroll(place().count);
+      return scroll(stack().place.count);
     case Qt::Key_Left:
     case Qt::Key_Right:
       if (!cine_->stepTime(event->key() == Qt::Key_Left ? -1 : 1)) break;

@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "ui/views/cine_bar.h"
+#include "ui/views/colour_bar.h"
 #include "ui/views/drawn_measurement.h"
 #include "ui/views/flat_view.h"
 #include "ui/views/reference_lines.h"
@@ -77,7 +78,7 @@ void FlatView::paintOver(QPainter& painter) const {
   paintMeasurements(painter, drawnMeasurements());
   paintDrags(painter);
   paintOverlays(painter, overlays(), overlayArea());
-  paintColours(painter);
+  paintColourBar(painter);
 }
 
 // The tool is painted above everything, at the pointer.
@@ -90,7 +91,7 @@ void FlatView::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintShown(painter);
   if (const std::optional<StackBar> bar = stackBar()) bar->paint(painter);
-  if (shown()) paintHandles(painter);
+  if (colourBarOf(session_, id())) paintBarHandles(painter, rect());
   paintLens(painter);
   paintTool(painter);
   paintFocus(painter);

@@ -32,13 +32,19 @@ QRectF FlatView::stackArea() const {
 }
 
 std::optional<StackBar> FlatView::stackBar() const {
-  if (!shown() || place().count < 2) return {};
-  return StackBar{stackArea(), place(), keyImagePlaces(), heldPlaces(), isBarThick_};
+  const Stack stack = this->stack();
+  if (!shown() || stack.place.count < 2) return {};
+  return StackBar{stackArea(),
+                  stack.place,
+                  keyImagePlaces(session_.workspace(), *seriesState().series, stack),
+                  {{0, stack.place.count - 1}},
+                  isBarThick_};
 }
 
 // Drawing tools and measurements under the pointer come first.
 bool FlatView::isOnStackBar(QPointF p) const {
-  return stackArea().contains(p) && shown() && place().count > 1 && !tool_->draws() && !measurementAt(p);
+  return stackArea().contains(p) && shown() && stack().place.count > 1 && !tool_->draws() &&
+         !measurementAt(p);
 }
 
 std::unique_ptr<Drag> FlatView::pressStackBar(QPointF p) {
@@ -56,6 +62,18 @@ void FlatView::tellEdges(QPointF p) {
   cine_->pointAtEdge(rect().contains(p.toPoint()) && p.y() >= height() - edge && !isThick);
 }
 
+void FlatView::goTo(int place) {
+  stop();
+  moveTo(place);
+}
+
+// Frames are counted from the one requested last, which may still be read.
+void FlatView::scroll(int steps) {
+  if (steps == 0) return;
+  stop();
+  moveTo(stackIn(session_.workspace(), id(), shown()).place.index + steps);
+}
+
 void FlatView::togglePlay() { cine_->togglePlay(); }
 
 bool FlatView::isPlaying() const { return cine_->isPlaying(); }
@@ -69,15 +87,8 @@ QRectF FlatView::cornerRect(const QString& line) const {
   return text == placed.texts.end() ? QRectF() : text->rect;
 }
 
-std::vector<NumberedPlace> FlatView::numberedPlaces() const {
-  std::vector<NumberedPlace> all;
-  for (int number = 1; number <= numbers().count; ++number)
-    if (const std::optional<int> place = placeOf(number)) all.push_back({number, *place});
-  return all;
-}
-
 QRectF FlatView::numberRect() const {
-  return shown() && numbers().count > 1 ? cornerRect(numberLine()) : QRectF();
+  return shown() && stack().numberCount > 1 ? cornerRect(overlays().number) : QRectF();
 }
 
 // Opens a field if editable numbers were pressed. Returns whether they were.
@@ -91,24 +102,27 @@ bool FlatView::pressCorner(QPointF p) {
 }
 
 void FlatView::typeNumber() {
-  if (!shown() || numbers().count < 2) return;
+  if (!shown() || stack().numberCount < 2) return;
   const auto open = findChildren<NumberEdit*>();
   for (NumberEdit* edit : open)
     if (!edit->isHidden()) return edit->setFocus();
   session_.setFocus(id());
   stop();
-  const Numbers now = numbers();
+  const Stack now = stack();
   const QRectF line = numberRect();
-  auto* edit = new NumberEdit(now.noun, now.now, now.count, this);
+  auto* edit = new NumberEdit(now.noun, now.number, now.numberCount, this);
   edit->adjustSize();
   const int right = line.isEmpty() ? width() - StackBar::edge : int(line.right());
   edit->move(std::max(0, right - edit->width()), std::max(0, int(line.top()) - 2));
   connect(edit, &NumberEdit::chosen, this, [this, edit](int number) {
     if (!shown()) return edit->leave();
+    const std::optional<int> place = stack().placeOf(number);
+    if (!place)
+      return edit->tell(tr("Slice %1 is not in the volume: choose View > Show as frames.").arg(number));
     session_.endGesture();
-    const QString why = goToNumber(number);
+    goTo(*place);
     session_.endGesture();
-    why.isEmpty() ? edit->leave() : edit->tell(why);
+    edit->leave();
   });
   connect(edit, &NumberEdit::closed, this, [this] { setFocus(); });
   edit->show();

@@ -11,8 +11,11 @@
 
 namespace volumen {
 
-std::optional<Window> FlatView::windowShown() const {
-  return shown() && hasWindow() ? std::optional(greyWindow()) : std::nullopt;
+void FlatView::chooseWindow(int number) {
+  const std::vector<WindowChoice> choices = windows();
+  if (number >= int(choices.size())) return;
+  session_.change(tr("Window"),
+                  [&](Workspace& w) { setWindow(w, id(), choices[std::size_t(number)].window); });
 }
 
 QString FlatView::windowLine(const QString& words) const {
@@ -21,30 +24,35 @@ QString FlatView::windowLine(const QString& words) const {
 }
 
 // Returns the rectangle of the window's numbers; empty if there are none.
-QRectF FlatView::windowRect() const {
-  return shown() && hasWindow() ? cornerRect(overlays().bottomRight) : QRectF();
+QRectF FlatView::windowRect() const { return windowShown() ? cornerRect(overlays().bottomRight) : QRectF(); }
+
+// Opens two fields at the numbers.
+void FlatView::typeWindow() {
+  WindowEdit* edit = openWindowEdit(*windowShown(), shown(), false, [this](const Window& typed) {
+    session_.change(tr("Window"), [&](Workspace& w) { setWindow(w, id(), typed); });
+  });
+  edit->setObjectName(QStringLiteral("windowEdit"));
+  edit->move(std::max(0, width() - 8 - edit->width()), std::max(0, height() - 4 - edit->height()));
 }
 
-// Opens two fields at the numbers. Setting them is one undo step.
-void FlatView::typeWindow() {
-  const LoadedSeriesPtr shown = this->shown();
-  const Window now = shownWindow(greyWindow(), shown->series);
-  auto* edit = new WindowEdit({now.centre, std::abs(now.width)}, this);
-  edit->setObjectName(QStringLiteral("windowEdit"));
+WindowEdit* FlatView::openWindowEdit(const Window& stored, const LoadedSeriesPtr& of, bool ends,
+                                     const std::function<void(const Window&)>& set) {
+  const Window now = shownWindow(stored, of->series);
+  auto* edit = new WindowEdit({now.centre, std::abs(now.width)}, this,
+                              ends ? WindowEdit::Fields::ends : WindowEdit::Fields::widthAndCentre);
   edit->adjustSize();
-  edit->move(std::max(0, width() - 8 - edit->width()), std::max(0, height() - 4 - edit->height()));
-  connect(edit, &WindowEdit::chosen, this, [this, shown, sign = now.width < 0 ? -1 : 1](const Window& typed) {
-    if (!this->shown()) return;
+  connect(edit, &WindowEdit::chosen, this, [this, of, set, sign = now.width < 0 ? -1 : 1](Window typed) {
+    if (!shown() || !session_.workspace().series.contains(keyOf(of->series))) return;
     session_.endGesture();
-    session_.change(tr("Window"), [&](Workspace& w) {
-      setWindow(w, id(), storedWindow({typed.centre, sign * typed.width}, shown->series));
-    });
+    set(storedWindow({typed.centre, sign * typed.width}, of->series));
+    session_.endGesture();
   });
   connect(edit, &WindowEdit::closed, this, [this] { setFocus(); });
   edit->show();
   auto* field = edit->findChild<QLineEdit*>();
   field->setFocus();
   field->selectAll();
+  return edit;
 }
 
 // The fields belong to what was shown before.

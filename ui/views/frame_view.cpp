@@ -12,9 +12,8 @@
 #include "ui/overlays/view_overlays.h"
 #include "ui/views/cine_bar.h"
 #include "ui/workspace/camera_moves.h"
-#include "ui/workspace/corner_text.h"
+#include "ui/workspace/frame_look.h"
 #include "ui/workspace/frame_text.h"
-#include "ui/workspace/measurements.h"
 #include "ui/workspace/presented_frame.h"
 #include "ui/workspace/view_window.h"
 
@@ -31,17 +30,15 @@ class FrameView::Clip : public Playable {
  public:
   explicit Clip(FrameView& view) : view_(view) {}
 
-  QString noun() const override { return tr("Frame"); }
-  int count() const override { return series() ? frameCount(*series()) : 0; }
-  int place() const override { return view_.frameKey().index; }
+  Stack stack() const override { return series() ? framesIn(*series(), view_.frameKey().index) : Stack(); }
   SeriesKey source() const override { return view_.state().series; }
   Cine cine() const override { return series()->cine; }
   bool isClip() const override {
     const Series& clip = *series();
-    return count() > 1 && (clip.cine.framesPerSecond > 0 || !clip.cine.frameTimesMs.empty() ||
-                           clip.files.front() == clip.files.back());
+    return frameCount(clip) > 1 && (clip.cine.framesPerSecond > 0 || !clip.cine.frameTimesMs.empty() ||
+                                    clip.files.front() == clip.files.back());
   }
-  void goTo(int place) override { view_.goTo(place); }
+  void goTo(int place) override { view_.moveTo(place); }
   void play(int place) override {
     view_.played_ = place;
     view_.askForFrame();
@@ -158,20 +155,8 @@ void FrameView::tellFailure(int view, const FrameKey& key, const QString& senten
   Q_EMIT settled();
 }
 
-bool FrameView::mayShow(const SliceRequest& request) const {
-  // If frames come faster than they are drawn, any frame is better than none.
-  const bool isOfClip = request.frame && request.frame->key.series == state().series;
-  return isOfClip || FlatView::mayShow(request);
-}
-
 bool FrameView::isWanted(const SliceRequest& request) const {
   return frame_ && frame_->key == frameKey() && FlatView::isWanted(request);
-}
-
-bool FrameView::showPicture(const SlicePicture& picture) {
-  if (!FlatView::showPicture(picture)) return false;
-  if (isPlaying() && picture.request.frame) cine_->tellShown(picture.request.frame->key.index);
-  return true;
 }
 
 SlicePlane FrameView::planeShown(const SlicePlane& plane) const {
@@ -185,7 +170,8 @@ SliceRequest FrameView::requestOf(const SlicePlane& plane) const {
   return {id(), {layer}, plane, frame_, look.layers, segmentLayers()};
 }
 
-Window FrameView::greyWindow() const {
+std::optional<Window> FrameView::windowShown() const {
+  if (!shown() || frame_->colour()) return {};
   const SeriesState series = seriesState();
   return series.window.value_or(frameGrey(series, flatLookOf(state()), *frame_).window);
 }
@@ -198,90 +184,28 @@ FlatView::Warnings FrameView::warnings() const {
   return warnings;
 }
 
-StackPlace FrameView::place() const {
-  if (!shown()) return {};
-  return {frame_->key.index, frameCount(*seriesState().series)};
+Stack FrameView::stack() const {
+  if (!isCurrent() || state().series.empty()) return {};
+  Stack stack = framesIn(*seriesState().series, frame_ ? frame_->key.index : flatLookOf(state()).frame);
+  if (!frame_) stack.seen = {};
+  return stack;
 }
 
-void FrameView::scroll(int steps) {
-  if (steps == 0) return;
-  stop();
-  showFrame(session_, id(), flatLookOf(state()).frame + steps);
-}
-
-void FrameView::goTo(int place) {
-  stop();
-  showFrame(session_, id(), place);
-}
-
-FlatView::Numbers FrameView::numbers() const { return {tr("Frame"), place().index + 1, place().count}; }
-
-QString FrameView::numberLine() const {
-  const QString number = tr("Frame %1 / %2").arg(place().index + 1).arg(place().count);
-  return cine_->rate() > 0 ? tr("%1, %2 a second").arg(number).arg(cine_->rate(), 0, 'f', 1) : number;
-}
-
-QString FrameView::goToNumber(int number) {
-  goTo(number - 1);
-  return {};
-}
-
-std::vector<int> FrameView::keyImagePlaces() const {
-  return keyImagesOf(session_.workspace(), *seriesState().series);
-}
-
-std::vector<std::pair<int, int>> FrameView::heldPlaces() const {
-  return runsOf(frames_.heldOf(state().series, frameKey().presentation));
+std::optional<StackBar> FrameView::stackBar() const {
+  std::optional<StackBar> bar = FlatView::stackBar();
+  if (bar) bar->held = runsOf(frames_.heldOf(state().series, frameKey().presentation));
+  return bar;
 }
 
 std::vector<FlatView::WindowChoice> FrameView::windows() const {
   std::vector<WindowChoice> all;
   if (!shown()) return all;
   for (const GreyChoice& choice : greyChoices(*frame_, seriesState(), session_.preferences().windows))
-    all.push_back({choice.name, withGrey(seriesState(), choice) == seriesState(), choice.key});
+    all.push_back({choice.name,
+                   withGrey(seriesState(), choice) == seriesState(),
+                   choice.key,
+                   {choice.window, choice.namedGrey}});
   return all;
-}
-
-void FrameView::chooseWindow(int number) {
-  if (!shown()) return;
-  const std::vector<GreyChoice> choices = greyChoices(*frame_, seriesState(), session_.preferences().windows);
-  if (number >= int(choices.size())) return;
-  const GreyChoice& choice = choices[std::size_t(number)];
-  session_.change(tr("Window"), [&](Workspace& w) {
-    setWindow(w, id(), ChosenWindow{choice.window, choice.namedGrey});
-  });
-}
-
-PictureSeen FrameView::pictureSeen() const {
-  return {frame_ ? std::optional(frame_->key.index) : std::nullopt, false};
-}
-
-// Adds the ends only if the frames are slices of a volume. Otherwise the position of a frame is known only
-// once it is read.
-std::vector<FlatView::StackPlane> FrameView::stackPlanesIn(const Workspace& workspace, bool ends) const {
-  std::vector<StackPlane> planes = FlatView::stackPlanesIn(workspace, ends);
-  if (planes.empty()) return planes;
-  // Only the frame on screen was read.
-  const bool isOther = &workspace != &session_.workspace();
-  if (isOther && flatLookOf(workspace.view(id())).frame != frame_->key.index) return {};
-  if (!ends) return planes;
-  const Series& series = *seriesState().series;
-  if (!series.notVolume.empty() || frameCount(series) != series.acquired.size.z) return planes;
-  for (const auto& [part, index] : {std::pair(StackPart::first, 0), {StackPart::last, place().count - 1}}) {
-    SlicePlane plane = planes.front().plane;
-    plane.centre += double(index - place().index) * series.acquired.patientFromVoxelStep[2];
-    planes.push_back({part, plane});
-  }
-  return planes;
-}
-
-std::vector<const Measurement*> FrameView::measurements() const {
-  return measurementsOn(session_.workspace(), *seriesState().series, frame_->key.index);
-}
-
-std::optional<ShapeFrame> FrameView::shapeFrame() const {
-  if (!frame_) return {};
-  return frameNamed(*seriesState().series, frame_->key.index);
 }
 
 void FrameView::hideEvent(QHideEvent* event) {
@@ -306,7 +230,9 @@ Overlays FrameView::overlays() const {
   const SlicePlane now = *plane();
   const FlatLook look = flatLookOf(state());
   CornerTexts texts = seriesCorner(series, frame_->key.index);
-  texts.add(CornerItem::plane, numberLine());
+  const QString number = tr("Frame %1 / %2").arg(frame_->key.index + 1).arg(frameCount(series));
+  const double rate = cine_->rate();
+  texts.add(CornerItem::plane, rate > 0 ? tr("%1, %2 a second").arg(number).arg(rate, 0, 'f', 1) : number);
   if (series.notVolume.empty()) texts.add(CornerItem::thickness, thicknessText(series));
   texts.add(CornerItem::step, stepText(session_.workspace(), state().series));
   texts.add(CornerItem::pixelSize, pixelSizeText(*frame_));
@@ -314,7 +240,9 @@ Overlays FrameView::overlays() const {
   texts.add(CornerItem::turn, turnText(look.turn));
   texts.add(CornerItem::mark, QStringList{presentationText(), keyImageText()});
   Overlays o = cornersOf(texts);
+  o.number = texts.text(CornerItem::plane);
   o.isLate = cine_->isLate();
+  o.lengthsWord = QLatin1String(pixelSizeWord(frame_->pixel.kind));
   o.bottomRight = windowLine(greyText(seriesState(), look, *frame_, session_.preferences().windows));
   o.warning = failure_;
   if (hasMm(*frame_)) o.mmPerPixel = now.mmPerPixel * devicePixelRatioF();

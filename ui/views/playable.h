@@ -1,35 +1,20 @@
 #pragma once
 
-#include <QString>
-#include <optional>
-
 #include "io/study/cine.h"
 #include "io/study/series_key.h"
+#include "ui/workspace/stack.h"
 
 namespace volumen {
 
-/// A sequence to play: frames of a clip, slices of a stack, time points. Positions count from 0.
+/// A sequence to play: frames of a clip, slices of a stack, time points.
 class Playable {
  public:
   virtual ~Playable() = default;
 
-  /// Returns the name of one element: "Frame".
-  virtual QString noun() const = 0;
+  /// Returns its positions, with the one shown or requested last.
+  virtual Stack stack() const = 0;
   /// Returns a name of the sequence for a tool tip; empty if there is none.
   virtual QString axis() const { return {}; }
-  /// Returns the number of positions; 0 if nothing is shown.
-  virtual int count() const = 0;
-  /// Returns the position shown or requested last.
-  virtual int place() const = 0;
-  /// Returns how many numbers there are. Slices have the numbers of the file: positions between them have
-  /// none, and some numbers may have no position.
-  virtual int numberCount() const { return count(); }
-  /// Returns the number of a position, from 1; 0 if it has none.
-  virtual int numberOf(int place) const { return place + 1; }
-  /// Returns the number of what is shown; 0 if it has none.
-  virtual int number() const { return numberOf(place()); }
-  /// Returns the position of a number, if it has one.
-  virtual std::optional<int> placeOf(int number) const { return number - 1; }
   /// Returns the source of the sequence. Playback settings hold until it changes.
   virtual SeriesKey source() const = 0;
   virtual Cine cine() const = 0;

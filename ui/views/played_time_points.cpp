@@ -26,11 +26,10 @@ void PlayedTimePoints::look() {
   axis_ = steps.size() > 1 ? timeAxisText(steps) : QString();
 }
 
-QString PlayedTimePoints::noun() const { return tr("Time point"); }
-
-int PlayedTimePoints::place() const {
+Stack PlayedTimePoints::stack() const {
   const auto at = std::ranges::find(steps_, session_.workspace().view(view_).series);
-  return at == steps_.end() ? 0 : int(at - steps_.begin());
+  return countedStack(tr("Time point"),
+                      {at == steps_.end() ? 0 : int(at - steps_.begin()), int(steps_.size())});
 }
 
 Cine PlayedTimePoints::cine() const {
@@ -40,7 +39,7 @@ Cine PlayedTimePoints::cine() const {
 }
 
 void PlayedTimePoints::goTo(int place) {
-  if (place < 0 || place >= count()) return;
+  if (place < 0 || place >= int(steps_.size())) return;
   const QString text = tr("Time point");
   session_.change(text, withTimePoint(session_.workspace(), view_, steps_[std::size_t(place)]), text);
 }
@@ -51,7 +50,7 @@ void PlayedTimePoints::play(int place) {
 
 bool PlayedTimePoints::isReady(int place) const {
   const bool needsNoVolume = showsFrames(session_.workspace().view(view_).kind);
-  const bool isHere = place < count() && session_.seriesNamed(steps_[std::size_t(place)]);
+  const bool isHere = place < int(steps_.size()) && session_.seriesNamed(steps_[std::size_t(place)]);
   return isDrawn_() && (needsNoVolume || (isHere && session_.seriesOf(view_)));
 }
 

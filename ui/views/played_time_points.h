@@ -18,13 +18,11 @@ class PlayedTimePoints : public Playable {
   /// Updates the list of time points.
   void look();
 
-  QString noun() const override;
+  Stack stack() const override;
   QString axis() const override { return axis_; }
-  int count() const override { return int(steps_.size()); }
-  int place() const override;
   SeriesKey source() const override { return steps_.empty() ? SeriesKey{} : steps_.front(); }
   Cine cine() const override;
-  bool isClip() const override { return count() > 1; }
+  bool isClip() const override { return steps_.size() > 1; }
   void begin(int steps) override { stepsBefore_ = steps; }
   void goTo(int place) override;
   void play(int place) override;

@@ -47,18 +47,30 @@ QRectF placeOfName(const ReferenceLine& line, QSizeF size, QRectF view) {
 
 }  // namespace
 
-std::vector<FlatView::StackPlane> FlatView::stackPlanesIn(const Workspace& workspace, bool /*ends*/) const {
+std::vector<FlatView::StackPlane> FlatView::stackPlanesIn(const Workspace& workspace, bool ends) const {
+  const LoadedSeriesPtr shown = this->shown();
   const ViewState& view = workspace.view(id());
-  const bool isHere = shown() && view.series == state().series && view.kind == state().kind;
-  if (!isHere || !shown()->volume->geometry().calibrated || !hasCursor()) return {};
-  return {{StackPart::current, planeShown(fittedPlane(workspace, pixels()))}};
+  const bool isHere = shown && view.series == state().series && view.kind == state().kind;
+  if (!isHere || !shown->volume->geometry().calibrated) return {};
+  const Stack now = stack(),
+              its = &workspace == &session_.workspace() ? now : stackIn(workspace, id(), shown);
+  // Only the frame on screen was read.
+  if (showsFrames(view.kind) && its.place.index != now.place.index) return {};
+  std::vector<StackPlane> planes{{StackPart::current, planeShown(fittedPlane(workspace, pixels()))}};
+  if (!ends || !its.toEnds) return planes;
+  for (const auto& [part, way] :
+       {std::pair(StackPart::first, its.toEnds->first), {StackPart::last, its.toEnds->second}}) {
+    planes.push_back({part, planes.front().plane});
+    planes.back().plane.centre += way;
+  }
+  return planes;
 }
 
 std::vector<ReferenceLine> FlatView::referenceLines() const {
   const Preferences& wanted = session_.preferences();
   const Workspace& workspace = session_.workspace();
   std::vector<ReferenceLine> lines;
-  if (!wanted.referenceLines || stackPlanes(false).empty()) return lines;
+  if (!wanted.referenceLines || stackPlanesIn(workspace, false).empty()) return lines;
   const SlicePlane own = *plane();
   const double ratio = devicePixelRatioF();
   for (const ViewId other : viewsOnScreen(workspace)) {

@@ -77,10 +77,6 @@ View* ViewGrid::viewOf(ViewId id, ViewFamily family) {
   if (view) return view;
   view = makeView(family, parts_, id, isInSecond(id) ? static_cast<QWidget*>(second_.get()) : this);
   connectView(view);
-  if (auto* slices = qobject_cast<SliceView*>(view)) {
-    slices->setClipShown(shown_.clip);
-    slices->showSegment(shown_.segment);
-  }
   if (auto* flat = qobject_cast<FlatView*>(view)) connectFlat(flat, family);
   if (auto* volume = qobject_cast<VolumeView*>(view)) {
     volume->setTool(*sceneTool_);
@@ -95,6 +91,7 @@ View* ViewGrid::viewOf(ViewId id, ViewFamily family) {
 
 void ViewGrid::connectFlat(FlatView* flat, ViewFamily family) {
   flat->setTool(*tool_);
+  flat->setHighlights(highlights_);
   flat->setFinder([this](ViewId id) { return viewAs<FlatView>(id); });
   connect(flat, &FlatView::toolWanted, this, &ViewGrid::setTool);
   connect(flat, &FlatView::toolDone, this, &ViewGrid::restoreTool);
@@ -103,7 +100,7 @@ void ViewGrid::connectFlat(FlatView* flat, ViewFamily family) {
   // The position of a frame is known once it is read.
   if (family == ViewFamily::frames)
     connect(flat, &FlatView::settled, this, [this, flat, last = std::optional<SlicePlane>()]() mutable {
-      const std::vector<FlatView::StackPlane> planes = flat->stackPlanes(false);
+      const std::vector<FlatView::StackPlane> planes = flat->stackPlanesIn(session_.workspace(), false);
       const auto now = planes.empty() ? std::nullopt : std::optional(planes.front().plane);
       if (std::exchange(last, now) == now || !session_.preferences().referenceLines) return;
       each<FlatView>([&](FlatView& view) {
@@ -137,13 +134,13 @@ void ViewGrid::setTool(const Tool& tool) {
 }
 
 void ViewGrid::setClipShown(bool shown) {
-  shown_.clip = shown;
-  each<SliceView>([&](SliceView& view) { view.setClipShown(shown); });
+  highlights_.clip = shown;
+  each<FlatView>([&](FlatView& view) { view.setHighlights(highlights_); });
 }
 
 void ViewGrid::showSegment(const std::optional<VolumeRange>& segment) {
-  shown_.segment = segment;
-  each<SliceView>([&](SliceView& view) { view.showSegment(segment); });
+  highlights_.segment = segment;
+  each<FlatView>([&](FlatView& view) { view.setHighlights(highlights_); });
 }
 
 void ViewGrid::showOnly(const std::optional<VolumeRange>& range) {
@@ -229,16 +226,13 @@ QImage ViewGrid::capture() const {
 
 std::unique_ptr<FlatView> ViewGrid::unseenView(Session& session, FrameService& frames,
                                                MeasuredNumbers& measurer, ViewId id,
-                                               const Shown& shown) const {
+                                               const Highlights& highlights) const {
   const ViewFamily family = rowOf(session.workspace().view(id).kind).family;
   if (family == ViewFamily::scene) return nullptr;
   ViewParts parts{session, parts_.drawn, parts_.drawService, parts_.slices, frames, measurer, parts_.derived};
   std::unique_ptr<FlatView> view(static_cast<FlatView*>(makeView(family, parts, id, nullptr)));
   view->setFinder([this](ViewId other) { return viewAs<FlatView>(other); });
-  if (auto* slices = qobject_cast<SliceView*>(view.get())) {
-    slices->setClipShown(shown.clip);
-    slices->showSegment(shown.segment);
-  }
+  view->setHighlights(highlights);
   return view;
 }
 

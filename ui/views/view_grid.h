@@ -47,16 +47,12 @@ class ViewGrid : public QWidget {
   QImage capture() const;
   /// Returns the views on screen in the window that has the view in focus.
   std::vector<View*> viewsSeen() const;
-  /// What flat views show that is not part of the workspace.
-  struct Shown {
-    bool clip = false;                     ///< whether a clip box of the whole volume is shown
-    std::optional<VolumeRange> segment{};  ///< the tinted segment
-  };
-  const Shown& shown() const { return shown_; }
+  /// Returns what flat views highlight.
+  const Highlights& highlights() const { return highlights_; }
   /// Makes a hidden view of this id over another session, with results from `measurer`. It shares what the
-  /// views here share, or shared when `shown` was stored. Returns null for 3D.
+  /// views here share, except for `highlights`. Returns null for 3D.
   std::unique_ptr<FlatView> unseenView(Session& session, FrameService& frames, MeasuredNumbers& measurer,
-                                       ViewId id, const Shown& shown) const;
+                                       ViewId id, const Highlights& highlights) const;
   /// Returns the warnings about all pictures, each sentence once.
   QStringList warningsShown() const;
   /// Shows this view alone in its window, or the window's layout again.
@@ -126,7 +122,7 @@ class ViewGrid : public QWidget {
   bool errorShown_ = false;
   const Tool *tool_, *toolBefore_;
   std::map<std::pair<ViewId, ViewFamily>, View*> views_;
-  Shown shown_;
+  Highlights highlights_;
   std::set<ViewId> alone_;  // at most one per window
   View* secondKeys_ = nullptr;
   std::unique_ptr<WindowBeside> second_;  // with its views

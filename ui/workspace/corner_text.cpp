@@ -111,6 +111,11 @@ void CornerTexts::add(CornerItem item, const QStringList& texts) {
   for (const QString& text : texts) add(item, text);
 }
 
+QString CornerTexts::text(CornerItem item) const {
+  const auto found = std::ranges::find(items_, item, &std::pair<CornerItem, QString>::first);
+  return found == items_.end() ? QString() : found->second;
+}
+
 QStringList CornerTexts::corner(bool right, int lines) const {
   std::vector<std::pair<int, int>> kept;  // rank and index in `texts`
   std::vector<QString> texts;

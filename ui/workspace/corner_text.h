@@ -35,6 +35,8 @@ class CornerTexts {
   /// Adds a line; ignores empty texts.
   void add(CornerItem item, const QString& text);
   void add(CornerItem item, const QStringList& texts);
+  /// Returns the text of an item; empty if there is none.
+  QString text(CornerItem item) const;
   /// Returns the most important lines of a corner, `lines` at most, in reading order.
   QStringList left(int lines = 100) const { return corner(false, lines); }
   QStringList right(int lines = 100) const { return corner(true, lines); }

@@ -25,15 +25,15 @@ glm::dvec3 wheelDown(ViewKind kind, const Crosshair& crosshair) {
 }
 
 // The wheel positions along a direction: first + index * step, in mm.
-struct Stack {
+struct Positions {
   glm::dvec3 along{0};
   double first = 0, step = 1;
   int count = 1;
 };
 
-Stack stackOf(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair) {
+Positions positionsOf(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair) {
   const glm::dvec3 down = wheelDown(kind, crosshair);
-  Stack stack{.along = down, .step = wheelStep(geometry, down)};
+  Positions stack{.along = down, .step = wheelStep(geometry, down)};
   // From the first to the last voxel: acquired slices if the plane is parallel to them.
   double low = 1e300, high = -1e300;
   const glm::ivec3 last = geometry.size - 1;
@@ -121,13 +121,13 @@ SlicePlane flatPlane(const ViewState& view, const FlatLook& look, const VoxelGeo
 }
 
 StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair) {
-  const Stack stack = stackOf(geometry, kind, crosshair);
+  const Positions stack = positionsOf(geometry, kind, crosshair);
   const double index = std::round((glm::dot(crosshair.at, stack.along) - stack.first) / stack.step);
   return {int(std::clamp(index, 0.0, double(stack.count - 1))), stack.count};
 }
 
 glm::dvec3 scrolled(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair, int steps) {
-  const Stack stack = stackOf(geometry, kind, crosshair);
+  const Positions stack = positionsOf(geometry, kind, crosshair);
   const int index = std::clamp(stackPlace(geometry, kind, crosshair).index + steps, 0, stack.count - 1);
   const double mm = stack.first + index * stack.step - glm::dot(crosshair.at, stack.along);
   return crosshair.at + stack.along * mm;
@@ -203,20 +203,6 @@ Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& fra
     now.flats.editOrAdd(now.series).panMm += way;
   }
   return workspace;
-}
-
-Workspace withPlace(Workspace workspace, ViewId view, const LoadedSeries& shown, int index) {
-  const ViewKind kind = workspace.view(view).kind;
-  if (showsFrames(kind)) {
-    ViewState& state = workspace.editView(view);
-    state.flats.editOrAdd(state.series).frame = index;
-    return workspace;
-  }
-  const VoxelGeometry& geometry = shown.volume->geometry();
-  const Crosshair before = crosshairOf(workspace, view, shown);
-  Crosshair after = before;
-  after.at = scrolled(geometry, kind, before, index - stackPlace(geometry, kind, before).index);
-  return withCrosshair(std::move(workspace), view, frameOfReference(shown.series), before, after);
 }
 
 Crosshair turnedIn(Crosshair crosshair, ViewKind kind, double angle) {

@@ -50,16 +50,6 @@ struct StackPlace {
 };
 StackPlace stackPlace(const VoxelGeometry& geometry, ViewKind kind, const Crosshair& crosshair);
 
-/// A position in a stack and its number on screen. For acquired slices and frames that is the number in the
-/// series.
-struct NumberedPlace {
-  int number = 1, place = 0;
-};
-
-/// Returns the workspace with a flat view at position `index` (from 0) of its stack: a wheel step or a frame.
-/// `shown` is the series in the view.
-Workspace withPlace(Workspace workspace, ViewId view, const LoadedSeries& shown, int index);
-
 /// Sets the crosshair of a frame of reference, or of the view alone if it scrolls alone. If its planes turn,
 /// every view of it keeps its point at the same position in the picture.
 Workspace withCrosshair(Workspace workspace, ViewId view, const std::string& frame, const Crosshair& before,
