@@ -14,8 +14,8 @@
 #include "app/command.h"
 #include "app/usage.h"
 #include "io/files/private_folder.h"
-#include "ui/british.h"
 #include "results/pictures/scene_files.h"
+#include "ui/british.h"
 #include "ui/main_window.h"
 
 namespace volumen {

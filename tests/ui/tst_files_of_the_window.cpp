@@ -10,8 +10,8 @@
 
 #include "io/files/picture_file.h"
 #include "tests/fixtures/fixtures.h"
-#include "tests/ui/scene_session.h"
 #include "tests/ui/journey.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"

@@ -5,8 +5,8 @@
 #include <QLineEdit>
 #include <cmath>
 
-#include "tests/ui/scene_session.h"
 #include "tests/ui/gestures.h"
+#include "tests/ui/scene_session.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/transfer_panel.h"

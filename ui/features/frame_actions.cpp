@@ -3,6 +3,7 @@
 
 #include "io/study/frame_series.h"
 #include "results/text/text.h"
+#include "results/text/text.h"
 #include "ui/features/feature.h"
 #include "ui/panels/flat_menus.h"
 #include "ui/panels/pet_unit_menu.h"
@@ -11,7 +12,6 @@
 #include "ui/views/view_grid.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/frame_look.h"
-#include "results/text/text.h"
 #include "ui/workspace/time_points.h"
 #include "ui/workspace/view_window.h"
 #include "ui/workspace/when_changed.h"

@@ -1,6 +1,6 @@
 
-#include "ui/controller/file_jobs.h"
 #include "results/pictures/scene_files.h"
+#include "ui/controller/file_jobs.h"
 #include "ui/features/feature.h"
 #include "ui/widgets/banner.h"
 #include "ui/widgets/path_dialog.h"

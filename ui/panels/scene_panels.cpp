@@ -2,10 +2,10 @@
 
 #include <QGridLayout>
 
+#include "results/text/text.h"
 #include "ui/panels/sources.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/clip_box.h"
-#include "results/text/text.h"
 
 namespace volumen {
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "results/segments/segment_record.h"
+#include "results/segments/segments.h"
 #include "results/text/text.h"
 #include "results/text/value_text.h"
 #include "ui/controller/segment_parts.h"
@@ -16,7 +17,6 @@
 #include "ui/panels/sources.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/curve_spans.h"
-#include "results/segments/segments.h"
 #include "ui/workspace/series_segments.h"
 #include "ui/workspace/when_changed.h"
 #include "viewer/recipe/step_kinds.h"

@@ -6,12 +6,12 @@
 #include <QMenu>
 
 #include "results/segments/recipes.h"
+#include "results/segments/segments.h"
 #include "results/text/text.h"
 #include "results/text/value_text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
-#include "results/segments/segments.h"
 #include "ui/workspace/series_segments.h"
 #include "ui/workspace/when_changed.h"
 

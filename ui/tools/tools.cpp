@@ -4,10 +4,10 @@
 
 #include "io/study/frame_series.h"
 #include "results/text/text.h"
+#include "results/text/text.h"
 #include "ui/tools/tool.h"
 #include "ui/workspace/flat_plane.h"
 #include "ui/workspace/stack.h"
-#include "results/text/text.h"
 
 namespace volumen {
 

@@ -4,12 +4,12 @@
 #include <cmath>
 
 #include "results/text/text.h"
+#include "results/text/text.h"
 #include "ui/controller/derived_objects.h"
 #include "ui/controller/segment_editing.h"
 #include "ui/derivations/measured_numbers.h"
 #include "ui/views/cine_bar.h"
 #include "ui/widgets/warning_badge.h"
-#include "results/text/text.h"
 #include "ui/workspace/time_points.h"
 #include "ui/workspace/view_window.h"
 

@@ -4,7 +4,10 @@
 
 #include "results/series/time_points.h"
 #include "results/text/series_text.h"
+#include "results/text/series_text.h"
 #include "results/text/text.h"
+#include "results/text/text.h"
+#include "results/text/value_text.h"
 #include "results/text/value_text.h"
 #include "ui/controller/derived_objects.h"
 #include "ui/overlays/view_overlays.h"
@@ -12,9 +15,6 @@
 #include "ui/widgets/colours.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/measurements.h"
-#include "results/text/series_text.h"
-#include "results/text/text.h"
-#include "results/text/value_text.h"
 #include "ui/workspace/view_window.h"
 #include "ui/workspace/windows.h"
 
