@@ -1,6 +1,7 @@
 #include "results/pictures/picture_font.h"
 
 #include <QFontDatabase>
+#include <QStringList>
 
 // Outside the namespace, as Qt demands.
 static void loadFontFiles() { Q_INIT_RESOURCE(fonts); }
