@@ -22,8 +22,8 @@ QString planeText(const VoxelGeometry& geometry);
 /// Returns "28 slices, axial" or "34 frames"; the plane only if sides are known.
 QString slicesText(const Series& series);
 
-/// Returns thickness and distance of slices, "3 mm thick, 3.3 mm apart". Leaves out an unknown thickness, and
-/// a distance equal to it. Irregular stacks read "unevenly apart".
+/// Returns thickness and distance of slices, "3 mm thick, 3.3 mm apart". An unknown thickness is left out,
+/// and so is a distance that equals the thickness. If distances differ, the text says "unevenly apart".
 QString thicknessText(const Series& series);
 
 /// Returns whether two series of a study have the same name; if not DICOM, they must be of one file.

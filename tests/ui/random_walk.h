@@ -62,7 +62,7 @@ class RandomWalk : public Journey {
 
   explicit RandomWalk(int seed) : Journey({}, withoutScenes()), chance_(std::uint64_t(seed)) {}
 
-  /// Makes the present step the first one. No act is undone beyond it.
+  /// Begins the walk at the present undo step. The walk never undoes steps before it.
   void begin() {
     first_ = step();
     remember();

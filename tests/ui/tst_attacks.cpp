@@ -87,7 +87,7 @@ void TestAttacks::whatGoesInTheMiddleOfADrag_data() {
   row("3D, right", "rotateTool", Qt::RightButton, Qt::NoModifier);
 }
 
-// What is shown instead keeps its state, and the window goes on, through all rows.
+// All rows use one window: it keeps working, and what a switch shows keeps its state.
 void TestAttacks::whatGoesInTheMiddleOfADrag() {
   QFETCH(QByteArray, tool);
   QFETCH(int, button);

@@ -112,7 +112,7 @@ void SegmentEditing::showGrowth() {
   show(*work);
 }
 
-// Takes back the option that growth is previewed. The preview on screen stays until clear().
+// Switches off the option that growth is previewed. The preview on screen stays until clear().
 void SegmentEditing::stopGrowthPreview() {
   if (std::exchange(options_.previewsGrowth, false)) Q_EMIT optionsChanged();
 }

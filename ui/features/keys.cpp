@@ -53,7 +53,7 @@ bool Keys::trigger(const QKeySequence& shortcut) {
 // Handles keypad keys with and without NumLock. Under X11 shortcuts cannot distinguish them from other keys,
 // and fire not at all with NumLock on.
 bool Keys::triggerByKeypad(const QKeyEvent& event) {
-  // Letters of the views, and of the opposite ones.
+  // Each key stands for the letter of a standard view; with Ctrl, for that of the opposite view.
   static const std::map<int, std::pair<Qt::Key, Qt::Key>> views{
       {Qt::Key_1, {Qt::Key_A, Qt::Key_P}}, {Qt::Key_End, {Qt::Key_A, Qt::Key_P}},
       {Qt::Key_3, {Qt::Key_L, Qt::Key_R}}, {Qt::Key_PageDown, {Qt::Key_L, Qt::Key_R}},

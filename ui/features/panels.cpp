@@ -97,7 +97,7 @@ QWidget* Panels::flatPanel() {
     if (view) connect(view, &FlatView::settled, flat_, &FlatPanel::refresh, Qt::UniqueConnection);
   };
   whenChanged(session_, explained, follow, showsOther);
-  // After the layout has changed the views.
+  // The panel follows after the layout of docks, which changes the views first.
   connect(&bench_, &Workbench::made, explained, [this, explained, follow] {
     connect(bench_.action("maximise"), &QAction::toggled, explained, follow);
   });

@@ -6,7 +6,7 @@ class QWidget;
 
 namespace volumen {
 
-/// Calls of the 3D view that the camera panel works on.
+/// Functions of the 3D view whose camera the camera panel shows and sets.
 struct CameraInView {
   std::function<Camera()> inUse;  ///< the camera, which may be fitted
   std::function<void(const QString& standardView)> show;

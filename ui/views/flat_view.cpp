@@ -165,7 +165,7 @@ void FlatView::workspaceChanged(const Workspace&) {
   const auto last = std::exchange(showed_, now);
   if (last != now) {
     giveUpDrag();  // it belongs to the series shown before
-    // Slices stay until that of another time point is drawn.
+    // A slice stays on screen until the slice of another time point is drawn.
     const bool isOneStack = last.second == now.second && showsSlices(now.second);
     if (!isOneStack || !areTimePointsIn(session_.workspace(), last.first, now.first)) forget();
   }

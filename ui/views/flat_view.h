@@ -27,7 +27,7 @@ struct ColourBar;
 struct DrawnMeasurement;
 struct ReferenceLine;
 
-/// What flat views show that is not part of the workspace.
+/// Marks that all flat views draw and that are not part of the workspace.
 struct Highlights {
   bool clip = false;                     ///< whether a clip box of the whole volume is shown
   std::optional<VolumeRange> segment{};  ///< tinted in slices of its volume

@@ -54,7 +54,7 @@ std::vector<FlatView::StackPlane> FlatView::stackPlanesIn(const Workspace& works
   if (!isHere || !shown->volume->geometry().calibrated) return {};
   const Stack now = stack(),
               its = &workspace == &session_.workspace() ? now : stackIn(workspace, id(), shown);
-  // Only the frame on screen was read.
+  // The plane of another frame is not known, as only the frame on screen was read.
   if (showsFrames(view.kind) && its.place.index != now.place.index) return {};
   std::vector<StackPlane> planes{{StackPart::current, planeShown(fittedPlane(workspace, pixels()))}};
   if (!ends || !its.toEnds) return planes;

@@ -47,7 +47,7 @@ class ViewGrid : public QWidget {
   QImage capture() const;
   /// Returns the views on screen in the window that has the view in focus.
   std::vector<View*> viewsSeen() const;
-  /// Returns what flat views highlight.
+  /// Returns the clip box and the segment that all flat views mark.
   const Highlights& highlights() const { return highlights_; }
   /// Makes a hidden view of this id over another session, with results from `measurer`. It shares what the
   /// views here share, except for `highlights`. Returns null for 3D.

@@ -35,12 +35,12 @@ struct NumberedSeries {
   void add(const Series& series);
 };
 
-// The archive of sessions and hanging protocols. FieldWriter and FieldReader have the same functions, so that
-// one list of fields for a struct,
+// The archive of sessions and hanging protocols. FieldWriter and FieldReader have the same functions, so each
+// struct has one list of its fields, which writes and reads it:
 //   template <class Fields> void fields(Fields& f, FlatLook& look) { f("zoom", look.zoom, {0.001, 1000}); ...
 //   }
-// both writes and reads it. The writer refuses what could not be read back. `problem` keeps the first error,
-// as a sentence with the field's path.
+// The writer refuses values that the reader would refuse. `problem` keeps the first error, as a sentence with
+// the field's path.
 
 /// Writes a struct as a JSON object.
 class FieldWriter {
@@ -51,7 +51,7 @@ class FieldWriter {
 
   void operator()(const char* name, bool& value) { json_[name] = value; }
   void operator()(const char* name, std::string& value) { json_[name] = value; }
-  /// Leaves out the usual value. `how` are limits or words.
+  /// Writes a value unless it is the usual one. `how` holds its limits or words.
   template <class T, class... How>
   void unless(const T& usual, const char* name, T& value, const How&... how) {
     if (value != usual) (*this)(name, value, how...);

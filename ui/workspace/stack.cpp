@@ -10,8 +10,8 @@ namespace volumen {
 
 namespace {
 
-// Returns the number in the series of each position of a stack along the acquired slices. The file may number
-// its slices against the wheel direction.
+// Returns the slice numbers of a stack that follows the acquired slices, in the order of its positions. A
+// series may number its slices in the direction opposite to that of the wheel.
 std::vector<int> numbersOfSlices(const Series& series, int count, bool countsDown) {
   std::vector<int> numbers;
   for (int slice = 0; slice < count; ++slice) {
@@ -70,7 +70,7 @@ Stack framesIn(const Series& series, int index) {
   Stack stack = countedStack(tr("Frame"), {index, count});
   stack.seen.index = index;
   stack.isAcquired = true;
-  // The position of other frames is known only once they are read.
+  // Frames that form no volume have no known position until they are read.
   if (!series.notVolume.empty() || count != series.acquired.size.z) return stack;
   const glm::dvec3 step = series.acquired.patientFromVoxelStep[2];
   stack.toEnds = {-double(index) * step, double(count - 1 - index) * step};

@@ -52,15 +52,16 @@ using NamedMasks = std::map<std::string, BitMask>;
 /// the field, or says that it was cancelled; `masks` is then unchanged.
 Status runStep(const Step& step, const Volume& volume, NamedMasks& masks, const CancelToken& cancel = {});
 
-/// Steps, the masks they start from, and the names of the masks they are run for.
+/// Input of runSteps(): steps, the masks that they start from, and the names of the masks to return.
 struct StepRun {
   std::span<const Step> steps;
   NamedMasks given{};
   std::set<std::string> kept{};
   bool numbered = false;  ///< an Error says which step failed
 };
-/// Runs steps one after another, with `onSlices` on these too. Returns the kept masks; others are dropped
-/// once no later step needs them. Reports progress to `cancel`. The Error is that of runStep().
+/// Runs steps one after another; with `onSlices`, on the acquired slices too. Returns the masks named in
+/// `kept`. Other masks are dropped once no later step needs them. Reports progress to `cancel`. The Error is
+/// that of runStep().
 Result<NamedMasks> runSteps(StepRun run, const Volume& volume, const CancelToken& cancel = {},
                             AcquiredMasks* onSlices = nullptr);
 

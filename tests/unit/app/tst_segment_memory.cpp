@@ -64,7 +64,7 @@ void TestSegmentMemory::bytesOfAVoxel_data() {
   QTest::addColumn<int>("segments");
   QTest::addColumn<bool>("grows");
   QTest::addColumn<double>("most");  // beyond two segments of one grey value each
-  // Measured: 3, and 11 to 14 from run to run.
+  // The first row takes 3 bytes; the second takes 11 to 14, which differs from run to run.
   QTest::newRow("twenty segments of all voxels") << 20 << false << 6.;
   QTest::newRow("two segments grown everywhere") << 2 << true << 18.;
 }
