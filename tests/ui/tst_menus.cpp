@@ -55,6 +55,7 @@ class TestMenus : public QObject {
   void theToolBarHoldsWhatItShould();
   void noMenuIsLongerThanAScreen();
   void theKeysFitAScreenAndScroll();
+  void anActionIsUsedOnlyOnceItIsMade();
 
  private:
   std::unique_ptr<const MainWindow> window_;
@@ -155,6 +156,15 @@ void TestMenus::theKeysFitAScreenAndScroll() {
   QVERIFY2(text->verticalScrollBar()->maximum() > 0, "there is more below");
   box->resize(420, 300);
   QVERIFY2(box->height() == 300 && !text->horizontalScrollBar()->isVisible(), "in less room, too");
+}
+
+void TestMenus::anActionIsUsedOnlyOnceItIsMade() {
+  SharedActions shared;
+  const auto use = [&] { return static_cast<QAction*>(shared.commands); };
+  QVERIFY_THROWS_EXCEPTION(std::logic_error, use());
+  QAction made;
+  shared.commands = &made;
+  QVERIFY(use() == &made);
 }
 
 VOLUMEN_TEST(TestMenus);

@@ -51,13 +51,13 @@ class Commands : public Feature {
 };
 
 Commands::Commands(Workbench& bench) : Feature(bench), list_(new CommandList(&bench.window)) {
-  bench_.addAction({"commands",
-                    tr("Commands..."),
-                    {tr("Ctrl+Shift+P")},
-                    "",
-                    false,
-                    [this](bool) { open(); },
-                    {{"helpMenu"}}});
+  bench_.shared.commands = bench_.addAction({"commands",
+                                             tr("Commands..."),
+                                             {tr("Ctrl+Shift+P")},
+                                             "",
+                                             false,
+                                             [this](bool) { open(); },
+                                             {{"helpMenu"}}});
   connect(list_, &CommandList::typed, this, &Commands::show);
   connect(list_, &CommandList::chosen, this, [this](int row) { run(Command(shown_[std::size_t(row)])); });
   connect(&bench_, &Workbench::made, this, [this] {
@@ -67,7 +67,7 @@ Commands::Commands(Workbench& bench) : Feature(bench), list_(new CommandList(&be
 }
 
 void Commands::noteUse(QAction* action) {
-  if (action == bench_.action("commands")) return;
+  if (action == bench_.shared.commands) return;
   std::erase(used_, action);
   used_.insert(used_.begin(), action);
 }

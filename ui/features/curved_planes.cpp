@@ -40,7 +40,7 @@ void CurvedPlanes::show(double halfWidth) {
   if (!pair) return warn(QString::fromStdString(pair.message()));
   session_.endGesture();
   session_.setFocus(mainFocusOf(session_.workspace()));
-  bench_.action("maximise")->setChecked(false);
+  grid_.setAlone(sceneViewId, false);
   session_.change(tr("Show curved plane"), withCurvedPlanes(session_.workspace(), *pair));
   session_.endGesture();
 }

@@ -64,8 +64,7 @@ class DockLayout : public Feature {
 
  private:
   void makeActions();
-  void setMaximised(bool alone);
-  void setDocksHidden(bool hidden);
+  void followMaximised();
   QWidget& windowInFocus() const { return *grid_.viewShown()->window(); }
   void showStates();
   void fillMenu();
@@ -81,7 +80,7 @@ class DockLayout : public Feature {
   QMainWindow& window_;
   QMenu* menu_;
   QAction *maximise_, *leaveMaximised_, *fullScreen_, *resetLayout_;
-  QByteArray before_;                              // layout before the view was maximised
+  QByteArray before_;                              // layout before all docks were hidden, else empty
   std::optional<Workbench::About> kind_;           // kind of the view in focus
   std::map<Workbench::About, QStringList> front_;  // names of front panels by kind of view
   bool isKept_ = false;                            // true if an earlier start left a layout
@@ -94,7 +93,8 @@ DockLayout::DockLayout(Workbench& bench) : Feature(bench), window_(bench.window)
     fillMenu();
     restore();
   });
-  connect(&grid_, &ViewGrid::maximiseRequested, maximise_, &QAction::toggle);
+  connect(&grid_, &ViewGrid::maximiseRequested, maximise_, &QAction::trigger);
+  connect(&grid_, &ViewGrid::aloneChanged, this, &DockLayout::followMaximised);
   whenChanged(
       session_, this,
       [this] {
@@ -106,20 +106,10 @@ DockLayout::DockLayout(Workbench& bench) : Feature(bench), window_(bench.window)
 }
 
 void DockLayout::makeActions() {
+  const auto maximise = [this](bool alone) { grid_.setAlone(session_.workspace().focus, alone); };
   const std::vector<Workbench::ActionEntry> table{
-      {"maximise",
-       tr("Maximise view"),
-       {tr("F10")},
-       "",
-       true,
-       [this](bool on) { setMaximised(on); },
-       {{"viewMenu", 60, 10}}},
-      {"leaveMaximised",
-       tr("Leave maximised view"),
-       {tr("Esc")},
-       "",
-       false,
-       [this](bool) { maximise_->setChecked(false); }},
+      {"maximise", tr("Maximise view"), {tr("F10")}, "", true, {}, {{"viewMenu", 60, 10}}},
+      {"leaveMaximised", tr("Leave maximised view"), {tr("Esc")}, "", false, maximise},
       {"fullScreen",
        tr("Full screen"),
        {tr("F11")},
@@ -135,27 +125,29 @@ void DockLayout::makeActions() {
   for (const Workbench::ActionEntry& entry : table) made << bench_.addAction(entry);
   maximise_ = made[0], leaveMaximised_ = made[1], fullScreen_ = made[2], resetLayout_ = made[3];
   leaveMaximised_->setEnabled(false);
+  // Follows the views, so only a click triggers it.
+  connect(maximise_, &QAction::triggered, this, maximise);
 }
 
-// Maximises the view in its own window. In the main window this hides all docks.
-void DockLayout::setMaximised(bool alone) {
-  const ViewId focus = session_.workspace().focus;
-  leaveMaximised_->setEnabled(alone);
-  if (grid_.isAlone(focus) == alone) return;  // the focus moved to the other window
-  if (alone && !isInSecond(focus)) before_ = window_.saveState();
-  grid_.setAlone(focus, alone);
-  if (!isInSecond(focus)) setDocksHidden(alone);
+// Hides all docks while a view is maximised in the main window.
+void DockLayout::followMaximised() {
+  const bool isMaximised = grid_.isAlone(sceneViewId);
+  if (isMaximised && before_.isEmpty()) {
+    before_ = window_.saveState();
+    for (const auto& [name, dock] : bench_.docks) dock.widget->hide();
+  } else if (!isMaximised && !before_.isEmpty()) {
+    for (const auto& [name, dock] : bench_.docks) dock.widget->show();
+    window_.restoreState(std::exchange(before_, {}));
+  }
+  showStates();
   followFocus();
 }
 
-void DockLayout::setDocksHidden(bool hidden) {
-  for (const auto& [name, dock] : bench_.docks) dock.widget->setVisible(!hidden);
-  if (!hidden) window_.restoreState(before_);
-}
-
-// Updates the check marks of actions for the window in focus.
+// Updates the actions for the window in focus.
 void DockLayout::showStates() {
-  maximise_->setChecked(grid_.isAlone(session_.workspace().focus));
+  const bool isMaximised = grid_.isAlone(session_.workspace().focus);
+  maximise_->setChecked(isMaximised);
+  leaveMaximised_->setEnabled(isMaximised);
   fullScreen_->setChecked(windowInFocus().isFullScreen());
 }
 
@@ -286,10 +278,7 @@ void DockLayout::restore() {
 }
 
 void DockLayout::keep() {
-  if (grid_.isAlone(sceneViewId)) {
-    grid_.setAlone(sceneViewId, false);
-    setDocksHidden(false);
-  }
+  grid_.setAlone(sceneViewId, false);
   QSettings settings;
   settings.setValue(QStringLiteral("window/geometry"), window_.saveGeometry());
   settings.setValue(QStringLiteral("window/layout"), window_.saveState(layoutVersion(bench_)));

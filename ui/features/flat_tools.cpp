@@ -19,7 +19,7 @@ QList<QKeySequence> keysOfTool(std::string_view name) {
 // One-shot tools have no button. All of these except one change segments.
 std::vector<Place> placesOf(const Tool& tool) {
   if (!tool.draws()) return {{"toolsMenu", 15}, {"toolBar", 25}};
-  if (tool.name == std::string_view("regionWindow")) return {{"toolsMenu", 15}};
+  if (tool.name == std::string_view("regionWindow")) return {{"toolsMenu", 15}, {"windowMenu", 20, 10}};
   return {{"segmentsMenu", 10}};
 }
 
@@ -36,6 +36,7 @@ FlatTools::FlatTools(Workbench& bench) : Feature(bench) {
     const QString key = tool.key ? QLatin1Char('\t') + QKeySequence(tool.key).toString() : QString();
     QAction* action = bench_.addAction(
         {name.c_str(), tool.text + key, keysOfTool(tool.name), tool.name, true, {}, placesOf(tool)});
+    bench_.toolActions[&tool] = action;
     const auto show = [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); };
     connect(action, &QAction::triggered, this, [this, &tool, show] {
       grid_.setTool(tool);

@@ -34,9 +34,14 @@ class FrameActions : public Feature {
   void showSliceMenu(FlatView* view, QPoint global);
 
   QAction *interpolate_, *asFrames_, *ownWindows_, *layers_, *play_, *goToNumber_;
+  QMenu *slab_, *colours_, *petUnit_;
 };
 
-FrameActions::FrameActions(Workbench& bench) : Feature(bench) {
+FrameActions::FrameActions(Workbench& bench)
+    : Feature(bench),
+      slab_(makeSlabMenu(session_, &bench_.window)),
+      colours_(makeColourMenu(session_, &bench_.window)),
+      petUnit_(makePetUnitMenu(session_, &bench_.window)) {
   makeActions();
   connectFrames();
   showFrameActions();
@@ -81,9 +86,9 @@ void FrameActions::makeActions() {
   };
   goToNumber_ = bench_.addAction(
       {"goToNumber", tr("Go to number..."), {tr("G")}, "", false, typeNumber, {{"viewMenu", 30}}});
-  bench_.menus.addMenu(makeSlabMenu(session_, &bench_.window), {{"viewMenu", 60, 100}});
-  bench_.menus.addMenu(makeColourMenu(session_, &bench_.window), {{"viewMenu", 60, 110}});
-  bench_.menus.addMenu(makePetUnitMenu(session_, &bench_.window), {{"viewMenu", 60, 120}});
+  bench_.menus.addMenu(slab_, {{"viewMenu", 60, 100}});
+  bench_.menus.addMenu(colours_, {{"viewMenu", 60, 110}});
+  bench_.menus.addMenu(petUnit_, {{"viewMenu", 60, 120}});
 }
 
 void FrameActions::connectFrames() {
@@ -145,13 +150,13 @@ void FrameActions::showSliceMenu(FlatView* view, QPoint global) {
   menu->addAction(interpolate_);
   bench_.sliceMenuOpens(menu, view);
   menu->addSeparator();
-  const auto add = [&](const char* name) {
-    menu->addMenu(bench_.window.findChild<QMenu*>(QLatin1String(name)));
-  };
-  if (!frames)
-    for (const char* name : {"slabMenu", "colourMenu", "overlayMenu"}) add(name);
+  if (!frames) {
+    menu->addMenu(slab_);
+    menu->addMenu(colours_);
+    menu->addMenu(bench_.shared.overlays);
+  }
   if (const Series* series = seriesIn(session_.workspace(), view->id()); series && series->modality == "PT")
-    add("petUnitMenu");
+    menu->addMenu(petUnit_);
   menu->addActions({asFrames_, ownWindows_, layers_, play_});
   menu->popup(global);
 }

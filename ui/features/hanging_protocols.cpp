@@ -8,6 +8,7 @@
 #include "ui/features/facing_views.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
+#include "ui/widgets/listed_entries.h"
 #include "ui/workspace/edit_workspace.h"
 #include "ui/workspace/own_protocols.h"
 #include "ui/workspace/patients.h"
@@ -40,8 +41,7 @@ class HangingProtocols : public Feature {
   void tellProblems();
 
   QMenu* menu_;
-  QAction* next_;
-  QList<QAction*> listed_;  // menu actions of the fitting protocols
+  ListedEntries listed_;  // the fitting protocols
   KnownProtocols known_ = knownProtocols();
   std::string last_;                                   // name of the last protocol used
   std::string lastStudy_;                              // UID of the study it was used for
@@ -79,13 +79,13 @@ HangingProtocols::HangingProtocols(Workbench& bench)
 }
 
 void HangingProtocols::makeActions() {
-  next_ = bench_.addAction({"nextProtocol",
-                            tr("Next protocol"),
-                            {tr("Alt+PgDown")},
-                            "",
-                            false,
-                            [this](bool) { step(1); },
-                            {{"protocolMenu", 20}}});
+  bench_.addAction({"nextProtocol",
+                    tr("Next protocol"),
+                    {tr("Alt+PgDown")},
+                    "",
+                    false,
+                    [this](bool) { step(1); },
+                    {{"protocolMenu", 20}}});
   bench_.addAction({"previousProtocol",
                     tr("Previous protocol"),
                     {tr("Alt+PgUp")},
@@ -132,8 +132,7 @@ void HangingProtocols::forgetLast() {
 
 void HangingProtocols::fillMenu() {
   forgetLast();
-  qDeleteAll(listed_);
-  listed_.clear();
+  QList<QAction*> entries;
   const std::vector<const HangingProtocol*> all = offered();
   for (std::size_t n = 0; n < all.size(); ++n) {
     QString name = shownText(all[n]->name);
@@ -142,14 +141,13 @@ void HangingProtocols::fillMenu() {
     action->setCheckable(true);
     action->setChecked(all[n]->name == last_);
     connect(action, &QAction::triggered, this, [this, protocol = *all[n]] { hang(protocol); });
-    listed_ << action;
+    entries << action;
   }
-  if (listed_.isEmpty()) {
-    listed_ << new QAction(tr("None fits what is open"), menu_);
-    listed_.front()->setEnabled(false);
+  if (entries.isEmpty()) {
+    entries << new QAction(tr("None fits what is open"), menu_);
+    entries.front()->setEnabled(false);
   }
-  menu_->insertActions(next_, listed_);
-  listed_ << menu_->insertSeparator(next_);
+  listed_.show(*menu_, entries);
 }
 
 void HangingProtocols::step(int by) {
@@ -174,7 +172,7 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
   session_.endGesture();
   facing_.forget();
   session_.setFocus(mainFocusOf(session_.workspace()));
-  bench_.action("maximise")->setChecked(false);
+  grid_.setAlone(sceneViewId, false);
   session_.change(tr("Hang as %1").arg(shownText(protocol.name)),
                   hung(session_.workspace(), protocol, *around), hungKey);
   session_.endGesture();

@@ -76,7 +76,7 @@ void Help::showShortcuts() {
     html += QStringLiteral("<tr><td><b>%1</b></td><td>%2</td></tr>")
                 .arg(keys.toHtmlEscaped(), text.toHtmlEscaped());
   };
-  add(keysOf(*bench_.action("commands")), tr("all commands with their keys: type to search"));
+  add(keysOf(*bench_.shared.commands), tr("all commands with their keys: type to search"));
   for (const KeyRow& row : keyRows()) add(row.keys, row.text);
   auto* text = new QTextBrowser;
   text->setObjectName(QStringLiteral("shortcutsText"));

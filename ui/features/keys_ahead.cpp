@@ -1,7 +1,5 @@
 #include <QApplication>
-#include <QDockWidget>
 #include <QKeyEvent>
-#include <QStackedWidget>
 #include <algorithm>
 #include <optional>
 
@@ -44,15 +42,7 @@ KeysAhead::KeysAhead(Workbench& bench) : Feature(bench) {
   bench_.window.setFocus();  // otherwise the first input field would get the focus
 }
 
-// Moves the keyboard focus from the studies panel to the views, as digits are meant for the coming series.
 void KeysAhead::begin() {
-  QWidget* keys = bench_.window.focusWidget();
-  if (keys && bench_.dock("studies")->isAncestorOf(keys)) {
-    if (bench_.pages.currentWidget() == &grid_)
-      grid_.takeKeys();
-    else
-      bench_.window.setFocus();
-  }
   if (std::exchange(isListening_, true)) return;
   ctrl_.reset();
   qApp->installEventFilter(this);

@@ -76,6 +76,7 @@ void Measuring::makeActions() {
     connect(&grid_, &ViewGrid::toolChanged, action,
             [this, action, &tool] { action->setChecked(&grid_.tool() == &tool); });
     bench_.addAction(action, {{"measureMenu"}});
+    bench_.toolActions[&tool] = action;
   }
   QAction* menu = measures->menuAction();
   for (const QAction* action : group->actions())

@@ -12,14 +12,19 @@
 namespace volumen {
 
 Menus::Menus(QMainWindow& window) : toolBar_(window.addToolBar(tr("Tools"))) {
-  for (const auto& [name, title] : {std::pair("fileMenu", tr("&File")), std::pair("editMenu", tr("&Edit")),
-                                    std::pair("viewMenu", tr("&View")), std::pair("toolsMenu", tr("&Tools")),
-                                    std::pair("segmentsMenu", tr("&Segments")),
-                                    std::pair("sceneMenu", tr("&3D")), std::pair("helpMenu", tr("&Help"))}) {
+  const auto add = [&](const char* name, const QString& title) {
     QMenu* menu = window.menuBar()->addMenu(title);
     menu->setObjectName(QLatin1String(name));
     addMenu(menu, {});
-  }
+    return menu;
+  };
+  file_ = add("fileMenu", tr("&File"));
+  add("editMenu", tr("&Edit"));
+  add("viewMenu", tr("&View"));
+  add("toolsMenu", tr("&Tools"));
+  add("segmentsMenu", tr("&Segments"));
+  add("sceneMenu", tr("&3D"));
+  add("helpMenu", tr("&Help"));
   toolBar_->setObjectName(QStringLiteral("tools"));
   toolBar_->setMovable(false);
   toolBar_->setIconSize({22, 22});

@@ -28,6 +28,9 @@ class Menus {
  public:
   explicit Menus(QMainWindow& window);
 
+  /// Returns the File menu.
+  QMenu* file() const { return file_; }
+
   void add(QAction* action, const std::vector<Place>& places);
   void addWidget(QWidget* widget, const Place& place);
   /// Adds a menu that others may extend by its object name.
@@ -45,6 +48,7 @@ class Menus {
   void fill(QWidget* bar, std::vector<Entry> entries);
 
   QToolBar* toolBar_;
+  QMenu* file_;
   std::map<std::string, QWidget*> bars_;
   std::map<std::string, std::vector<Entry>> entries_;  // by name of the bar
 };

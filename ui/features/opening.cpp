@@ -40,8 +40,7 @@ Opening::Opening(Workbench& bench) : Feature(bench) {
   makeActions();
   RecentFiles& recent = bench_.document.recent;
   recentMenu_ = bench_.addMenu("recentMenu", tr("Open recent"), {{"fileMenu", 10, 10}});
-  connect(bench_.window.findChild<QMenu*>(QStringLiteral("fileMenu")), &QMenu::aboutToShow, &recent,
-          &RecentFiles::look);
+  connect(bench_.menus.file(), &QMenu::aboutToShow, &recent, &RecentFiles::look);
   connect(&recent, &RecentFiles::changed, this, &Opening::showRecent);
   showRecent();
   connect(&bench_, &Workbench::openRequested, this, &Opening::open);
@@ -57,27 +56,30 @@ Opening::Opening(Workbench& bench) : Feature(bench) {
 }
 
 void Opening::makeActions() {
-  bench_.addAction({"openFolder",
-                    tr("Open folder..."),
-                    {QKeySequence::Open},
-                    "open",
-                    false,
-                    [this](bool) { ask(tr("Open folder"), QFileDialog::Directory); },
-                    {{"fileMenu", 10}, {"toolBar", 10}}});
-  bench_.addAction({"openFile",
-                    tr("Open file..."),
-                    {tr("Ctrl+Shift+O")},
-                    "",
-                    false,
-                    [this](bool) { ask(tr("Open file"), QFileDialog::ExistingFiles); },
-                    {{"fileMenu", 10}}});
-  bench_.addAction({"openSample",
-                    tr("Sample study"),
-                    {},
-                    "sample",
-                    false,
-                    [this](bool) { open({QStringLiteral("phantom:ct-head")}, {}); },
-                    {{"fileMenu", 10, 20}}});
+  bench_.shared.openFolder =
+      bench_.addAction({"openFolder",
+                        tr("Open folder..."),
+                        {QKeySequence::Open},
+                        "open",
+                        false,
+                        [this](bool) { ask(tr("Open folder"), QFileDialog::Directory); },
+                        {{"fileMenu", 10}, {"toolBar", 10}}});
+  bench_.shared.openFile =
+      bench_.addAction({"openFile",
+                        tr("Open file..."),
+                        {tr("Ctrl+Shift+O")},
+                        "",
+                        false,
+                        [this](bool) { ask(tr("Open file"), QFileDialog::ExistingFiles); },
+                        {{"fileMenu", 10}}});
+  bench_.shared.openSample =
+      bench_.addAction({"openSample",
+                        tr("Sample study"),
+                        {},
+                        "sample",
+                        false,
+                        [this](bool) { open({QStringLiteral("phantom:ct-head")}, {}); },
+                        {{"fileMenu", 10, 20}}});
 }
 
 void Opening::open(const QStringList& paths, const std::optional<Scene>& scene) {

@@ -26,9 +26,9 @@ Pages::Pages(Workbench& bench) : Feature(bench), start_(new StartPage) {
   bench_.pages.insertWidget(0, start_);
   bench_.pages.setCurrentWidget(start_);
   RecentFiles& recent = bench_.document.recent;
-  connect(start_, &StartPage::openFolderRequested, bench_.action("openFolder"), &QAction::trigger);
-  connect(start_, &StartPage::openFileRequested, bench_.action("openFile"), &QAction::trigger);
-  connect(start_, &StartPage::sampleRequested, bench_.action("openSample"), &QAction::trigger);
+  connect(start_, &StartPage::openFolderRequested, bench_.shared.openFolder, &QAction::trigger);
+  connect(start_, &StartPage::openFileRequested, bench_.shared.openFile, &QAction::trigger);
+  connect(start_, &StartPage::sampleRequested, bench_.shared.openSample, &QAction::trigger);
   connect(start_, &StartPage::recentRequested, &bench_,
           [this](const QString& path) { Q_EMIT bench_.openRequested({path}); });
   connect(start_, &StartPage::clearRecentRequested, &recent, &RecentFiles::clear, Qt::QueuedConnection);

@@ -1,5 +1,4 @@
 #include <QDockWidget>
-#include <QMenu>
 #include <QVBoxLayout>
 
 #include "ui/features/feature.h"
@@ -87,8 +86,7 @@ QWidget* Panels::flatPanel() {
   const auto invert = [this] {
     if (FlatView* view = bench_.flatViewInFocus()) view->invert();
   };
-  auto* overlays = bench_.window.findChild<QMenu*>(QStringLiteral("overlayMenu"));
-  flat_ = new FlatPanel(session_, {seen, choose, invert}, overlays);
+  flat_ = new FlatPanel(session_, {seen, choose, invert}, bench_.shared.overlays);
   auto* explained = new Explained(Workbench::scrolling(flat_));
   const auto follow = [this, explained] {
     FlatView* view = bench_.flatViewInFocus();
@@ -97,10 +95,7 @@ QWidget* Panels::flatPanel() {
     if (view) connect(view, &FlatView::settled, flat_, &FlatPanel::refresh, Qt::UniqueConnection);
   };
   whenChanged(session_, explained, follow, showsOther);
-  // The panel follows after the layout of docks, which changes the views first.
-  connect(&bench_, &Workbench::made, explained, [this, explained, follow] {
-    connect(bench_.action("maximise"), &QAction::toggled, explained, follow);
-  });
+  connect(&grid_, &ViewGrid::aloneChanged, explained, follow);
   follow();
   return explained;
 }

@@ -24,12 +24,10 @@ class PictureTurns : public Feature {
 };
 
 PictureTurns::PictureTurns(Workbench& bench) : Feature(bench) {
-  bench_.addMenu("turnMenu", tr("Turn and size"), {{"viewMenu", 60, 65}});
+  QMenu* turns = bench_.addMenu("turnMenu", tr("Turn and size"), {{"viewMenu", 60, 65}});
   makeTurns();
   makeSizes();
-  connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) {
-    menu->addMenu(bench_.window.findChild<QMenu*>(QStringLiteral("turnMenu")));
-  });
+  connect(&bench_, &Workbench::sliceMenuOpens, this, [turns](QMenu* menu) { menu->addMenu(turns); });
 }
 
 void PictureTurns::add(const char* name, const QString& text, const QString& key, const Place& place,

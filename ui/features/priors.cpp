@@ -125,7 +125,7 @@ void Priors::show(const SeriesPicture& current, const SeriesPicture& prior) {
   takeBack();
   session_.endGesture();
   session_.setFocus(mainFocusOf(session_.workspace()));
-  bench_.action("maximise")->setChecked(false);
+  grid_.setAlone(sceneViewId, false);
   session_.change(
       tr("Compare with prior"),
       withTimePointsOf(comparedWithPrior(session_.workspace(), current, prior), right, open_.volumes()));

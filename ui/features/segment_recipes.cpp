@@ -35,8 +35,13 @@ class SegmentRecipes : public Feature {
 
 SegmentRecipes::SegmentRecipes(Workbench& bench) : Feature(bench), files_(bench.document.jobs) {
   const auto add = [&](const char* name, const QString& text, void (SegmentRecipes::*act)()) {
-    bench_.addAction(
-        {name, text, {}, "", false, [this, act](bool) { (this->*act)(); }, {{"segmentsMenu", 20}}});
+    bench_.addAction({name,
+                      text,
+                      {},
+                      "",
+                      false,
+                      [this, act](bool) { (this->*act)(); },
+                      {{"segmentsMenu", 20}, {"recipeMenu"}}});
   };
   add("openRecipe", tr("Open recipe..."), &SegmentRecipes::askWhatToRun);
   add("saveRecipe", tr("Save steps as a recipe..."), &SegmentRecipes::askWhereToSave);

@@ -1,3 +1,4 @@
+#include <QMenu>
 #include <QPointer>
 #include <algorithm>
 #include <utility>
@@ -67,11 +68,8 @@ Segmenting::Segmenting(Workbench& bench)
   makeExport();
   connectPanel();
   connectAxis();
-  connect(&bench_, &Workbench::made, this, [this] {
-    panel_->setToolActions([this](const QString& name) { return bench_.actions.at(name); });
-    panel_->setRecipeActions(
-        {bench_.action("openRecipe"), bench_.action("saveRecipe"), bench_.action("recipeSteps")});
-  });
+  bench_.menus.addMenu(panel_->recipeMenu(), {});
+  connect(&bench_, &Workbench::made, this, [this] { panel_->setToolActions(bench_.toolActions); });
 }
 
 void Segmenting::connectMasks() {
@@ -80,6 +78,9 @@ void Segmenting::connectMasks() {
     bench_.addAction(action, {{"editMenu", 20}, {"sceneMenu", 30}});
   }
   panel_->setTableAction(masker_.tableAction());
+  connect(&bench_, &Workbench::sceneMenuOpens, this, [this](QMenu* menu) {
+    menu->addActions({masker_.tableAction(), masker_.resetAction()});
+  });
   connect(&masker_, &Masking::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   DrawnScenes& drawn = bench_.document.drawn;
   connect(&drawn, &DrawnScenes::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });

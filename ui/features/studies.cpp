@@ -1,4 +1,6 @@
+#include <QDockWidget>
 #include <QMenu>
+#include <QStackedWidget>
 
 #include "results/text/text.h"
 #include "ui/features/feature.h"
@@ -20,6 +22,7 @@ class Studies : public Feature {
   explicit Studies(Workbench& bench);
 
  private:
+  void leaveKeys();
   void connectSession();
   void markShown();
   void addCommands(QMenu* more);
@@ -29,13 +32,19 @@ class Studies : public Feature {
   void showAttributesInFocus();
 
   StudiesPanel* panel_;
+  const QDockWidget* dock_;  // has the panel
 };
 
 Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(open_, bench.document.frames)) {
-  bench_.addDock({"studies", tr("Studies"), panel_, {Qt::LeftDockWidgetArea, 10}});
-  bench_.menus.addMenu(makeOverlayMenu(
-                           session_, [this] { return panel_->listedSeries(); }, &bench_.window),
-                       {{"viewMenu", 60, 130}});
+  dock_ = bench_.addDock({"studies", tr("Studies"), panel_, {Qt::LeftDockWidgetArea, 10}});
+  const Loader* loader = &bench_.document.loader;
+  connect(loader, &Loader::openBegan, this, &Studies::leaveKeys);
+  connect(loader, &Loader::loadingChanged, this, [this, loader] {
+    if (loader->isLoading()) leaveKeys();
+  });
+  bench_.shared.overlays = makeOverlayMenu(
+      session_, [this] { return panel_->listedSeries(); }, &bench_.window);
+  bench_.menus.addMenu(bench_.shared.overlays, {{"viewMenu", 60, 130}});
   connect(panel_, &StudiesPanel::seriesChosen, &bench_.document.opener, &Opener::show);
   connect(panel_, &StudiesPanel::objectChosen, &bench_, &Workbench::objectChosen);
   connect(panel_, &StudiesPanel::attributesRequested, this, &Studies::showAttributes);
@@ -54,6 +63,16 @@ Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(ope
   connect(panel_, &StudiesPanel::closeAllRequested, this, &Studies::closeAll);
   connect(&grid_, &ViewGrid::dropped, this, &Studies::showDropped);
   connectSession();
+}
+
+// Moves the keyboard focus from the panel to the views, as keys are meant for the coming series.
+void Studies::leaveKeys() {
+  const QWidget* keys = bench_.window.focusWidget();
+  if (!keys || !dock_->isAncestorOf(keys)) return;
+  if (bench_.pages.currentWidget() == &grid_)
+    grid_.takeKeys();
+  else
+    bench_.window.setFocus();
 }
 
 void Studies::connectSession() {

@@ -157,7 +157,7 @@ void StudyListing::connectBrowser() {
     if (std::exchange(listedOnce_, true) || browser_->isEmpty()) return;
     if (!bench_.document.loader.isBusy() && !showsAnything(session_.workspace())) showBrowser(true);
   });
-  connect(bench_.action("maximise"), &QAction::toggled, this, &StudyListing::arrangeBrowser);
+  connect(&grid_, &ViewGrid::aloneChanged, this, &StudyListing::arrangeBrowser);
   whenChanged(session_, this, &StudyListing::showPatients, showsOther, &Preferences::hideNames);
   whenChanged(
       session_, this, [this] { showBrowser(!showsAnything(session_.workspace()) && !browser_->isEmpty()); },

@@ -46,14 +46,11 @@ void ToolsInFocus::show() {
   const bool isFlatView = isFlat(kind) || showsFrames(workspace, workspace.focus);
   const bool isScene = !isFlatView && showsScene(kind);
   const std::vector<const Tool*> of3D = chosenSceneTools();
-  for (const Tool& tool : tools()) {
-    const auto action = bench_.actions.find(QLatin1String(tool.name) + QStringLiteral("Tool"));
-    if (action == bench_.actions.end()) continue;
-    const bool isOf3D = std::ranges::find(of3D, &tool) != of3D.end() || (tool.draws() && tool.inScene);
-    const bool isUsable = (isFlatView && tool.inSlices) || (isScene && isOf3D);
-    action->second->setEnabled(isUsable);
-    action->second->setToolTip(
-        toolTipOf(QStringList{tipOf(*action->second), isUsable ? QString() : whyNot(tool, isOf3D)}));
+  for (const auto& [tool, action] : bench_.toolActions) {
+    const bool isOf3D = std::ranges::find(of3D, tool) != of3D.end() || (tool->draws() && tool->inScene);
+    const bool isUsable = (isFlatView && tool->inSlices) || (isScene && isOf3D);
+    action->setEnabled(isUsable);
+    action->setToolTip(toolTipOf(QStringList{tipOf(*action), isUsable ? QString() : whyNot(*tool, isOf3D)}));
   }
 }
 

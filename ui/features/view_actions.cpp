@@ -44,6 +44,7 @@ class ViewActions : public Feature {
   void resetView();
 
   QActionGroup *kinds_, *tools_;
+  QAction* resetView_;
 };
 
 ViewActions::ViewActions(Workbench& bench)
@@ -66,13 +67,13 @@ void ViewActions::makeDirections() {
     const auto show = [this, direction](bool) { bench_.view()->showView(QLatin1String(direction)); };
     bench_.addAction({name, text, {key}, icon, false, show, {{"sceneMenu", 20}}});
   };
-  bench_.addAction({"resetView",
-                    tr("Reset view"),
-                    {tr("F")},
-                    "reset",
-                    false,
-                    [this](bool) { resetView(); },
-                    {{"viewMenu", 60, 62}, {"toolBar", 20, 10}}});
+  resetView_ = bench_.addAction({"resetView",
+                                 tr("Reset view"),
+                                 {tr("F")},
+                                 "reset",
+                                 false,
+                                 [this](bool) { resetView(); },
+                                 {{"viewMenu", 60, 62}, {"toolBar", 20, 10}}});
   add("viewAnterior", tr("Anterior view"), tr("A"), "view", "anterior");
   add("viewPosterior", tr("Posterior view"), tr("P"), "", "posterior");
   add("viewLeft", tr("Left view"), tr("L"), "", "left");
@@ -201,7 +202,7 @@ void ViewActions::addKinds(QMenu* menu) const {
 
 // If the letter means a direction in 3D, shows the tool without its key.
 void ViewActions::addTool(QMenu* menu, const Tool& tool) const {
-  QAction* action = bench_.actionOf(tool);
+  QAction* action = bench_.toolActions.at(&tool);
   if (bench_.view()->hasKey(tool)) return menu->addAction(action);
   QAction* keyless = menu->addAction(action->icon(), textOf(*action), action, &QAction::trigger);
   keyless->setObjectName(action->objectName() + QStringLiteral("InScene"));
@@ -220,8 +221,8 @@ void ViewActions::showVolumeMenu(QPoint global) {
   for (const Tool& tool : tools())
     if (tool.draws() && tool.inScene) addTool(menu, tool);
   menu->addSeparator();
-  for (const char* name : {"removeTable", "resetScissors", "resetView"})
-    menu->addAction(bench_.actions.at(QLatin1String(name)));
+  Q_EMIT bench_.sceneMenuOpens(menu);
+  menu->addAction(resetView_);
   menu->popup(global);
 }
 
@@ -235,6 +236,7 @@ void ViewActions::makeTools() {
                                                           true,
                                                           {},
                                                           {{"toolsMenu", 10}, {"toolBar", 20}}}));
+    bench_.toolActions[tool] = action;
     action->setChecked(tool == &toolNamed("rotate"));
     connect(action, &QAction::triggered, this, [this, tool] { grid_.setSceneTool(*tool); });
   }

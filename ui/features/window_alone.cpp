@@ -23,8 +23,13 @@ class WindowAlone : public Feature {
 
 WindowAlone::WindowAlone(Workbench& bench)
     : Feature(bench),
-      action_(bench.addAction(
-          {"windowAlone", tr("Window of this view alone"), {}, "", true, {}, {{"viewMenu", 60, 86}}})) {
+      action_(bench.addAction({"windowAlone",
+                               tr("Window of this view alone"),
+                               {},
+                               "",
+                               true,
+                               {},
+                               {{"viewMenu", 60, 86}, {"windowMenu", 20}}})) {
   connect(action_, &QAction::triggered, this, &WindowAlone::setAlone);
   whenChanged(session_, this, &WindowAlone::follow, showsOther);
   connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* menu) { menu->addAction(action_); });

@@ -8,8 +8,8 @@
 #include "results/text/value_text.h"
 #include "ui/features/feature.h"
 #include "ui/panels/windows_dialog.h"
-#include "ui/tools/tool.h"
 #include "ui/views/flat_view.h"
+#include "ui/widgets/listed_entries.h"
 #include "ui/widgets/plain_text.h"
 
 namespace volumen {
@@ -23,11 +23,13 @@ class WindowChoices : public Feature {
   explicit WindowChoices(Workbench& bench);
 
  private:
+  void fillMenu(QMenu* menu);
   QList<QAction*> choicesOf(QMenu* menu, FlatView* view) const;
   QString whyNone() const;
   std::optional<OwnWindow> inUse() const;
   void showDialog();
 
+  ListedEntries listed_;
   QPointer<WindowsDialog> dialog_;
 };
 
@@ -37,22 +39,28 @@ WindowChoices::WindowChoices(Workbench& bench) : Feature(bench) {
   button->setText(tr("W/L"));
   button->setToolTip(toolTipOf(tr("Windows of the slice or frame in focus, by name")));
   button->setMenu(menu);
-  QAction* edit =
-      bench_.addAction({"editWindows", tr("Edit windows..."), {}, "", false, [this](bool) { showDialog(); }});
-  connect(menu, &QMenu::aboutToShow, this, [this, menu, edit] {
-    menu->clear();
-    menu->addActions(choicesOf(menu, bench_.flatViewInFocus()));
-    if (menu->isEmpty()) menu->addAction(whyNone())->setEnabled(false);
-    menu->addSeparator();
-    menu->addAction(bench_.action("windowAlone"));
-    menu->addAction(bench_.actionOf(toolNamed("regionWindow")));
-    menu->addAction(edit);
-  });
+  bench_.addAction({"editWindows",
+                    tr("Edit windows..."),
+                    {},
+                    "",
+                    false,
+                    [this](bool) { showDialog(); },
+                    {{"windowMenu", 20, 20}}});
+  connect(menu, &QMenu::aboutToShow, this, [this, menu] { fillMenu(menu); });
   connect(&bench_, &Workbench::sliceMenuOpens, this, [this](QMenu* over, FlatView* view) {
     QAction* first = over->actions().value(0);
     over->insertActions(first, choicesOf(over, view));
     over->insertSeparator(first);
   });
+}
+
+void WindowChoices::fillMenu(QMenu* menu) {
+  QList<QAction*> all = choicesOf(menu, bench_.flatViewInFocus());
+  if (all.isEmpty()) {
+    all << new QAction(whyNone(), menu);
+    all.front()->setEnabled(false);
+  }
+  listed_.show(*menu, all);
 }
 
 QList<QAction*> WindowChoices::choicesOf(QMenu* menu, FlatView* view) const {

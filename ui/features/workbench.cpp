@@ -100,10 +100,6 @@ void Workbench::addAction(QAction* action, const std::vector<Place>& places) {
   menus.add(action, places);
 }
 
-QAction* Workbench::actionOf(const Tool& tool) const {
-  return actions.at(QLatin1String(tool.name) + QStringLiteral("Tool"));
-}
-
 QMenu* Workbench::addMenu(const char* name, const QString& title, const std::vector<Place>& places) {
   auto* menu = new QMenu(title, &window);
   menu->setObjectName(QLatin1String(name));

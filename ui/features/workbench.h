@@ -22,6 +22,7 @@
 #include "ui/document/jobs.h"
 #include "ui/document/open_studies.h"
 #include "ui/features/menus.h"
+#include "ui/features/shared_actions.h"
 #include "ui/workspace/session.h"
 
 class QDockWidget;
@@ -92,7 +93,9 @@ class Workbench : public QObject, public WindowParts {
 
   const Services& services;
   Document& document;
-  std::map<QString, QAction*> actions;
+  std::map<QString, QAction*> actions;          ///< all actions, by object name
+  std::map<const Tool*, QAction*> toolActions;  ///< the actions that choose a tool
+  SharedActions shared;
   Menus menus;
 
   /// A row of a table of actions.
@@ -108,9 +111,6 @@ class Workbench : public QObject, public WindowParts {
   QAction* addAction(const ActionEntry& entry);
   /// Adds an action created elsewhere under its object name.
   void addAction(QAction* action, const std::vector<Place>& places);
-  QAction* action(const char* name) const { return actions.at(QLatin1String(name)); }
-  /// Returns the action that chooses a tool.
-  QAction* actionOf(const Tool& tool) const;
   /// Adds an empty menu that others may extend by its object name.
   QMenu* addMenu(const char* name, const QString& title, const std::vector<Place>& places);
   /// Adds a button to the tool bar for a menu that opens at once.
@@ -143,7 +143,6 @@ class Workbench : public QObject, public WindowParts {
   /// Adds the dock NAMEDock with a title that folds it; the panel is called NAMEPanel. Wraps a panel about
   /// the scene by ofScene().
   QDockWidget* addDock(const DockEntry& entry);
-  QDockWidget* dock(const char* name) const { return docks.at(QLatin1String(name)).widget; }
   /// Makes a panel scroll vertically down to `leastHeight` pixels, so that the window fits small screens.
   /// Never reduces its width.
   static QWidget* scrolling(QWidget* panel, int leastHeight = 60);
@@ -189,6 +188,8 @@ class Workbench : public QObject, public WindowParts {
   void objectChosen(const volumen::DerivedObjectPtr& object);
   /// A context menu of slices or frames is about to open. Features add their entries.
   void sliceMenuOpens(QMenu* menu, volumen::FlatView* view);
+  /// A context menu of 3D views is about to open. Features add their entries.
+  void sceneMenuOpens(QMenu* menu);
   /// The command list opens. Features add menus of commands that no other menu has.
   void commandsOpen(QMenu* more);
   /// Requests to show a range, or none, on the axis of the curve. rangeDragged reports drags of its ends.

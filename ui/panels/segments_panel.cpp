@@ -3,13 +3,13 @@
 #include <QAction>
 #include <QButtonGroup>
 #include <QLocale>
-#include <QMenu>
 
 #include "results/segments/recipes.h"
 #include "results/segments/segments.h"
 #include "results/text/text.h"
 #include "results/text/value_text.h"
 #include "ui/controller/segment_target.h"
+#include "ui/tools/tool.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/series_segments.h"
@@ -37,6 +37,8 @@ SegmentsPanel::SegmentsPanel(SegmentEditing& editing, const SegmentNumbers& numb
   result_->setTextInteractionFlags(Qt::TextSelectableByMouse);
   recipes_->setPopupMode(QToolButton::InstantPopup);
   recipes_->setMenu(new QMenu(recipes_));
+  recipeMenu()->setObjectName(QStringLiteral("recipeMenu"));
+  recipeMenu()->setToolTipsVisible(true);
   makeLayout();
   connect(range_, &SegmentRange::making, this, [this] { result_->setText(tr("Segmenting...")); });
   connect(range_, &SegmentRange::rangeShown, this, &SegmentsPanel::rangeShown);
@@ -107,35 +109,32 @@ void SegmentsPanel::makeLayout() {
 void SegmentsPanel::fillRecipes() {
   const std::string modality = session_.series() ? session_.series()->series.modality : std::string();
   const std::vector<const Recipe*> offered = recipesFor(modality);
-  QMenu* const menu = recipes_->menu();
-  menu->clear();
+  QList<QAction*> entries;
   for (const Recipe* recipe : offered) {
-    QAction* const action =
-        menu->addAction(shownText(recipe->name), this, [this, recipe] { Q_EMIT recipeChosen(*recipe); });
+    auto* const action = new QAction(shownText(recipe->name), recipeMenu());
+    connect(action, &QAction::triggered, this, [this, recipe] { Q_EMIT recipeChosen(*recipe); });
     action->setObjectName(QStringLiteral("recipe") + shownText(recipe->name));
     action->setToolTip(toolTipOf(shownText(recipe->description)));
+    entries << action;
   }
-  menu->addSeparator();
-  menu->addActions(recipeActions_);
-  menu->setToolTipsVisible(true);
+  builtIn_.show(*recipeMenu(), entries);
   recipes_->setToolTip(
       toolTipOf(QStringList{tr("Segments by a list of steps, by one click."),
                             offered.empty() ? tr("Built-in ones are for CT and MR.") : QString()}));
 }
 
-void SegmentsPanel::setToolActions(const std::function<QAction*(const QString& name)>& find) {
-  const std::pair<QString, QString> table[] = {
-      {QStringLiteral("segmentPart"), QStringLiteral("partTool")},
-      {QStringLiteral("segmentBrush"), QStringLiteral("paintTool")},
-      {QStringLiteral("segmentOutline"), QStringLiteral("outlineTool")},
-      {QStringLiteral("segmentCut"), QStringLiteral("segmentScissorsTool")},
-      {QStringLiteral("segmentLesion"), QStringLiteral("lesionTool")},
-      {QStringLiteral("segmentTrace"), QStringLiteral("levelTraceTool")},
-      {QStringLiteral("segmentSmartBrush"), QStringLiteral("smartBrushTool")}};
-  for (const auto& [name, action] : table) {
+void SegmentsPanel::setToolActions(const std::map<const Tool*, QAction*>& actions) {
+  const std::pair<QString, const char*> table[] = {{QStringLiteral("segmentPart"), "part"},
+                                                   {QStringLiteral("segmentBrush"), "paint"},
+                                                   {QStringLiteral("segmentOutline"), "outline"},
+                                                   {QStringLiteral("segmentCut"), "segmentScissors"},
+                                                   {QStringLiteral("segmentLesion"), "lesion"},
+                                                   {QStringLiteral("segmentTrace"), "levelTrace"},
+                                                   {QStringLiteral("segmentSmartBrush"), "smartBrush"}};
+  for (const auto& [name, tool] : table) {
     auto* button = findChild<QToolButton*>(name);
     button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setDefaultAction(find(action));
+    button->setDefaultAction(actions.at(&toolNamed(tool)));
   }
 }
 
@@ -147,11 +146,6 @@ void SegmentsPanel::setExportAction(QAction* action) {
   connect(action, &QAction::changed, export_, show);
   connect(export_, &QPushButton::clicked, action, &QAction::trigger);
   show();
-}
-
-void SegmentsPanel::setRecipeActions(const QList<QAction*>& actions) {
-  recipeActions_ = actions;
-  fillRecipes();
 }
 
 void SegmentsPanel::showSegments() {

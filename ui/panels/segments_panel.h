@@ -5,6 +5,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 #include <QToolButton>
+#include <map>
 
 #include "ui/panels/segment_grow_page.h"
 #include "ui/panels/segment_list.h"
@@ -12,9 +13,12 @@
 #include "ui/panels/segment_range.h"
 #include "ui/panels/segment_steps_page.h"
 #include "ui/panels/segment_tissue.h"
+#include "ui/widgets/listed_entries.h"
 #include "viewer/recipe/recipe.h"
 
 namespace volumen {
+
+struct Tool;
 
 /// The segments of the series in view: the list and the numbers of the current one. Pages below make segments
 /// from the curve, paint, grow and change them. Requests changes that take time.
@@ -26,12 +30,12 @@ class SegmentsPanel : public QWidget {
 
   /// Shows the segments of the series in view.
   void showSegments();
-  /// Set actions of the panel: tools by name, table removal and export.
-  void setToolActions(const std::function<QAction*(const QString& name)>& find);
+  /// Set actions of the panel: tools, table removal and export.
+  void setToolActions(const std::map<const Tool*, QAction*>& actions);
   void setTableAction(QAction* action) { range_->setTableAction(action); }
   void setExportAction(QAction* action);
-  /// Sets the actions listed after the built-in recipes.
-  void setRecipeActions(const QList<QAction*>& actions);
+  /// Returns the menu of recipes, which lists the built-in ones before entries that others add.
+  QMenu* recipeMenu() const { return recipes_->menu(); }
 
  Q_SIGNALS:
   void numbersWanted();
@@ -58,7 +62,7 @@ class SegmentsPanel : public QWidget {
   QPushButton* export_;
   QToolButton* numbersButton_;
   QToolButton* recipes_;
-  QList<QAction*> recipeActions_;
+  ListedEntries builtIn_;  // in the menu of recipes
   SegmentRange* range_;
   SegmentPaintPage* paint_;
   SegmentStepsPage* steps_;

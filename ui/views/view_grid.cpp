@@ -244,9 +244,12 @@ QStringList ViewGrid::warningsShown() const {
 }
 
 void ViewGrid::setAlone(ViewId view, bool alone) {
+  const std::set<ViewId> before = alone_;
   std::erase_if(alone_, [view](ViewId id) { return isInSecond(id) == isInSecond(view); });
   if (alone) alone_.insert(view);
+  if (alone_ == before) return;
   arrange();
+  Q_EMIT aloneChanged();
 }
 
 bool ViewGrid::isAlone(ViewId view) const {

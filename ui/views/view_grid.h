@@ -84,6 +84,8 @@ class ViewGrid : public QWidget {
   void dropped(const QMimeData& data);
   void menuRequested(volumen::View* view, QPoint global);
   void toolChanged();
+  /// setAlone() has changed what isAlone() returns.
+  void aloneChanged();
   /// Views were placed, shown or hidden.
   void arranged();
   /// A 3D view was made and needs a picture.
