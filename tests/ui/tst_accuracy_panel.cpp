@@ -12,27 +12,18 @@
 #include <QTextBrowser>
 #include <QTreeWidget>
 
+#include "tests/fixtures/measured_levels.h"
 #include "tests/ui/journey.h"
 #include "tests/unit/suite.h"
 #include "ui/panels/accuracy_panel.h"
 
 using namespace volumen;
-using volumen::tests::Journey;
-using volumen::tests::longest;
+using namespace volumen::tests;
 
 namespace {
 
 const PictureLevel coarse{Quality::draft, 4}, draft{Quality::draft, 1}, standard{Quality::standard, 1},
     high{Quality::high, 1};
-
-MeasuredLevel measured(PictureLevel level, std::optional<double> ms, double error, const char* failure = "") {
-  MeasuredLevel out;
-  out.level = level;
-  out.ms = ms;
-  out.error.percentile99 = out.error.rmse = error;
-  out.failure = failure;
-  return out;
-}
 
 // Saves the picture by the dialog, as a user does, and reads it back.
 QImage savedPicture(Journey& w, const QString& path) {
@@ -64,16 +55,9 @@ struct AccuracyWindow : Journey {
 
 }  // namespace
 
-Q_DECLARE_METATYPE(std::vector<float>)
-Q_DECLARE_METATYPE(std::vector<volumen::MeasuredLevel>)
-Q_DECLARE_METATYPE(volumen::QualityGoal)
-
 class TestAccuracyPanel : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void goalsPickALevel_data();
-  void goalsPickALevel();
-  void beatenLevelsAreNotOnTheFront();
   void aFinerLevelIsNeverSaidToBeWorse_data();
   void aFinerLevelIsNeverSaidToBeWorse();
   void levelsAreMeasuredAndChosen();
@@ -88,53 +72,6 @@ class TestAccuracyPanel : public QObject {
   void errorsAreGreys();
   void effectsShowTheirCosts();
 };
-
-void TestAccuracyPanel::goalsPickALevel_data() {
-  QTest::addColumn<QualityGoal>("goal");
-  QTest::addColumn<std::vector<MeasuredLevel>>("levels");
-  QTest::addColumn<int>("quality");  // -1: not known yet
-  using Levels = std::vector<MeasuredLevel>;
-  const Levels all{measured(coarse, 5, 20), measured(draft, 40, 8), measured(standard, 90, 3),
-                   measured(high, 200, 0.6)};
-  const Levels half{measured(coarse, 5, 20), measured(draft, 40, 8), measured(standard, {}, 0),
-                    measured(high, {}, 0)};
-  const Levels broken{measured(coarse, 5, 20), measured(draft, {}, 0, "no memory"), measured(standard, 90, 3),
-                      measured(high, {}, 0, "no memory")};
-  const auto row = [](const char* name, Aim aim, double target, const Levels& levels, int quality) {
-    QualityGoal goal{.aim = aim, .level = high};
-    goal.frameMs = goal.errorOf255 = target;
-    QTest::newRow(name) << goal << levels << quality;
-  };
-  row("the level itself, nothing measured", Aim::level, 0, {}, int(Quality::high));
-  row("time: the most accurate within it", Aim::time, 100, all, int(Quality::standard));
-  row("time: exactly met counts", Aim::time, 200, all, int(Quality::high));
-  row("time: too short for any, so the fastest", Aim::time, 1, all, int(Quality::draft));
-  row("time: not told before the next level is timed", Aim::time, 100, half, -1);
-  row("time: told early where a level is too slow", Aim::time, 30, half, int(Quality::draft));
-  row("error: the fastest within it", Aim::error, 3, all, int(Quality::standard));
-  row("error: too small for any, so the most accurate", Aim::error, 0.1, all, int(Quality::high));
-  row("error: not told before a level is good enough", Aim::error, 3, half, -1);
-  row("error: told early where a level is good enough", Aim::error, 9, half, int(Quality::draft));
-  row("levels that cannot be drawn are passed over", Aim::error, 0.1, broken, int(Quality::standard));
-  row("nothing measured", Aim::time, 100, {}, -1);
-}
-
-void TestAccuracyPanel::goalsPickALevel() {
-  QFETCH(QualityGoal, goal);
-  QFETCH(std::vector<MeasuredLevel>, levels);
-  QFETCH(int, quality);
-  const auto level = levelFor(goal, levels);
-  QCOMPARE(level ? int(level->quality) : -1, quality);
-}
-
-void TestAccuracyPanel::beatenLevelsAreNotOnTheFront() {
-  std::vector<MeasuredLevel> levels{measured(coarse, 50, 20), measured(draft, 40, 8),
-                                    measured(standard, {}, 0), measured(high, 200, 0.6)};
-  markFront(levels);
-  QVERIFY2(!levels[0].front, "the draft is faster and nearer");
-  QVERIFY(levels[1].front && levels[3].front);
-  QVERIFY2(!levels[2].front, "not measured yet");
-}
 
 void TestAccuracyPanel::aFinerLevelIsNeverSaidToBeWorse_data() {
   QTest::addColumn<std::vector<MeasuredLevel>>("levels");
@@ -154,9 +91,7 @@ void TestAccuracyPanel::aFinerLevelIsNeverSaidToBeWorse() {
   levels.push_back(measured({Quality::exact, 1}, {}, 0));  // not measured yet
   markFront(levels);
   Journey w;
-  auto* panel = w.window.findChild<AccuracyPanel*>();
-  QVERIFY(panel);
-  panel->showMeasured({nullptr, levels});
+  w.window.findChild<AccuracyPanel*>()->showMeasured({nullptr, levels});
   const auto* table = w.child<QTreeWidget>("levelTable");
   double before = 256;
   for (std::size_t n = 0; n < levels.size(); ++n) {
@@ -179,8 +114,7 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
   QCOMPARE(levels.size(), pictureLevels().size());
   for (std::size_t n = 0; n < levels.size(); ++n) {
     QVERIFY2(levels[n].ms && *levels[n].ms > 0, levels[n].failure.c_str());
-    QVERIFY(w.cell(int(n), 1).endsWith(QStringLiteral("ms")) ||
-            w.cell(int(n), 1).endsWith(QStringLiteral(" s")));
+    QVERIFY(w.cell(int(n), 1).contains(QRegularExpression(QStringLiteral("(m| )s$"))));
     QVERIFY(w.cell(int(n), 2).endsWith(QStringLiteral("/255")));
   }
   // The promises of design.md 2 for standard, high and exact hold at the measured pixels.
@@ -207,10 +141,8 @@ void TestAccuracyPanel::levelsAreMeasuredAndChosen() {
   QCOMPARE(slider->value(), 3);
   // A click on a row chooses its level, too.
   auto* table = w.child<QTreeWidget>("levelTable");
-  const QImage blurred = w.after([&] {
-    QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
-                      table->visualItemRect(table->topLevelItem(0)).center());
-  });
+  const QPoint top = table->visualItemRect(table->topLevelItem(0)).center();
+  const QImage blurred = w.after([&] { QTest::mouseClick(table->viewport(), Qt::LeftButton, {}, top); });
   QVERIFY(w.window.drawService().level(0) == coarse);
   QCOMPARE(slider->value(), 0);
   QVERIFY(blurred != first && blurred.size() == first.size());
@@ -311,8 +243,7 @@ void TestAccuracyPanel::thePictureOnShowSaysHowFarItMayBeOff() {
   const auto numbers = [&] {
     static const QRegularExpression all(
         QStringLiteral("^This picture \\(estimated\\): 99 % of pixels within ([0-9.]+)/255, largest error "
-                       "([0-9.]+)/255, PSNR "
-                       "([0-9]+) dB$"));
+                       "([0-9.]+)/255, PSNR ([0-9]+) dB$"));
     const auto match = all.match(estimate->text());
     return match.hasMatch() ? match.captured(2).toDouble() : -1;
   };
