@@ -2,7 +2,6 @@
 // Also guards them if their series is left or closed during a job.
 #include <fcntl.h>
 #include <signal.h>
-#include <sys/mount.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -11,6 +10,7 @@
 
 #include "io/files/write_volume.h"
 #include "tests/fixtures/chance.h"
+#include "tests/fixtures/mount_disk.h"
 #include "tests/ui/killed_window.h"
 #include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
@@ -105,20 +105,14 @@ bool isStoppedWhile(const QProcess& program, const QString& file) {
       longest);
 }
 
-// A disk that fill() fills until free(). There is none without the right to mount one.
+// A disk mounted over `folder`, which fill() fills until free().
 class FullDisk {
  public:
-  explicit FullDisk(const QString& folder) : folder_(folder.toUtf8()) {
-    QDir().mkpath(folder);
-    isThere_ = mount("tmpfs", folder_.constData(), "tmpfs", 0, "size=8m") == 0;
-  }
-  ~FullDisk() {
-    if (isThere_) umount2(folder_.constData(), MNT_DETACH);
-  }
+  explicit FullDisk(const QByteArray& folder) : folder_(folder) {}
+  ~FullDisk() { umount2(folder_.constData(), MNT_DETACH); }
   FullDisk(const FullDisk&) = delete;
   FullDisk& operator=(const FullDisk&) = delete;
 
-  bool isThere() const { return isThere_; }
   void fill() {
     const int file = ::open(fillerPath().constData(), O_WRONLY | O_CREAT, 0600);
     const QByteArray bytes(4096, 'x');
@@ -132,7 +126,6 @@ class FullDisk {
   QByteArray fillerPath() const { return folder_ + "/filler"; }
 
   QByteArray folder_;
-  bool isThere_ = false;
 };
 
 // While it lives, this process can write no file of more bytes.
@@ -293,8 +286,12 @@ void TestSegmentCrashes::aFullDiskTakesNothing() {
   QFETCH(bool, isMounted);
   QFETCH(bool, hasRoomForSession);
   std::optional<FullDisk> disk;
-  if (isMounted && !disk.emplace(Autosave::folder()).isThere())
-    QSKIP("a small disk cannot be mounted here: that takes root with the right to mount");
+  if (isMounted) {
+    const QByteArray folder = Autosave::folder().toUtf8();
+    QDir().mkpath(Autosave::folder());
+    MOUNT_DISK(folder.constData(), 0, "size=8m");
+    disk.emplace(folder);
+  }
   QVERIFY(writeVolume(*noisyBall(), at("ct.nrrd").toStdString()));
   CrashWindow w(at("ct.nrrd"));
   QVERIFY(w.make(990, 1250));

@@ -162,7 +162,7 @@ void TestShortMemory::tooLittleIsTold() {
   QFETCH(ScarceMemory::By, by);
   QFETCH(int, mebibytes);
   QFETCH(QString, line);
-  if (!ScarceMemory(by).isPossible()) QSKIP("no control group can be made here");
+  if (!ScarceMemory(by).isPossible()) QSKIP("control groups of version 1 cannot be made here");
   const Outcome a = runWith(by, mebibytes, line);
   QVERIFY2(a.status == 1, QByteArray::number(a.status) + a.err);
   const QRegularExpression figures(QStringLiteral(R"([\d.]+ [MG]iB.* and [\d.]+ [MG]iB are available)"));
@@ -179,7 +179,7 @@ void TestShortMemory::a3dPictureIsDrawnOfAReducedCopy_data() {
 
 void TestShortMemory::a3dPictureIsDrawnOfAReducedCopy() {
   QFETCH(ScarceMemory::By, by);
-  if (!ScarceMemory(by).isPossible()) QSKIP("no control group can be made here");
+  if (!ScarceMemory(by).isPossible()) QSKIP("control groups of version 1 cannot be made here");
   const QString line = QStringLiteral("render IN/big.nhdr --preset CT-Bone --size 300x300 -o IN/out.png");
   const Outcome a = runWith(by, 330, line + QStringLiteral(" --stats IN/out.json"));
   QVERIFY2(a.status == 0, QByteArray::number(a.status) + a.err);
@@ -223,7 +223,7 @@ void TestShortMemory::whatFitsHasTheSameBytes() {
   QFETCH(ScarceMemory::By, by);
   QFETCH(int, mebibytes);
   QFETCH(QString, line);
-  if (!ScarceMemory(by).isPossible()) QSKIP("no control group can be made here");
+  if (!ScarceMemory(by).isPossible()) QSKIP("control groups of version 1 cannot be made here");
   QCOMPARE(runProgram(words(line)).status, 0);
   const QByteArray whole = contentsOf(at("out.png"));
   init();
@@ -240,7 +240,7 @@ void TestShortMemory::anImportNeedsNoVolume_data() {
 // Headers and a slice for the thumbnail take little of a volume of 4 GiB.
 void TestShortMemory::anImportNeedsNoVolume() {
   QFETCH(ScarceMemory::By, by);
-  if (!ScarceMemory(by).isPossible()) QSKIP("no control group can be made here");
+  if (!ScarceMemory(by).isPossible()) QSKIP("control groups of version 1 cannot be made here");
   QDir(at("index")).removeRecursively();
   const Outcome a = runWith(by, 100, QStringLiteral("import IN/huge.nhdr --index IN/index --json"));
   QVERIFY2(a.status == 0 && a.out.contains("\"new\": 1"), a.out + a.err);

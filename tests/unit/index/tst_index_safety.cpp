@@ -1,6 +1,5 @@
 // Guards the index (import.md): after any failure of database, program or disk it stays usable. The next
 // import gives the same result as an undisturbed one.
-#include <sys/mount.h>
 #include <unistd.h>
 
 #include <QProcess>
@@ -11,6 +10,7 @@
 
 #include "io/index/schema.h"
 #include "tests/fixtures/chance.h"
+#include "tests/fixtures/mount_disk.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/index/index_folder.h"
 #include "tests/unit/suite.h"
@@ -260,8 +260,7 @@ void TestIndexSafety::diskFull() {
   const IndexFolder folder;
   makeStudies(folder, 1500);
   fs::create_directories(folder.index());
-  if (mount("tmpfs", folder.index().c_str(), "tmpfs", 0, "size=300k") != 0)
-    QSKIP("a small disk cannot be mounted here: that takes root with the right to mount");
+  MOUNT_DISK(folder.index().c_str(), 0, "size=300k");
   std::string message;
   std::size_t kept = 0;
   bool usable = false;
@@ -294,8 +293,7 @@ void TestIndexSafety::folderThatCannotBeWritten() {
   QVERIFY(!noFolder.ok());
   QVERIFY2(noFolder.message().find("/proc/volumen") != std::string::npos, noFolder.message().c_str());
   fs::create_directories(folder.index());
-  if (mount("tmpfs", folder.index().c_str(), "tmpfs", MS_RDONLY, "size=300k") != 0)
-    QSKIP("a disk that cannot be written cannot be mounted here: that takes root with the right to mount");
+  MOUNT_DISK(folder.index().c_str(), MS_RDONLY, "size=300k");
   const Result<Index> readOnly = Index::open(folder.index());
   QCOMPARE(umount(folder.index().c_str()), 0);
   QVERIFY(!readOnly.ok());

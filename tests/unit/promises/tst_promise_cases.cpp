@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <map>
+#include <stdexcept>
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/fixtures.h"
@@ -41,10 +42,11 @@ std::vector<QByteArrayList> rowsOf(const std::string& table, int columns) {
   const QByteArray text = contentsOf(QString::fromStdString(dataPath(table)));
   for (const QByteArray& line : text.split('\n').mid(1))
     if (const QByteArrayList fields = line.split('\t'); fields.size() >= columns) rows.push_back(fields);
+  if (rows.empty() && !dataPath().empty()) throw std::runtime_error("no rows in " + table);
   return rows;
 }
 
-/// Returns the cases of promise-cases/cases.tsv; none if it is absent.
+/// Returns the cases of promise-cases/cases.tsv; none if the real data are missing.
 std::vector<PromiseCase> listedCases() {
   std::vector<PromiseCase> cases;
   for (const QByteArrayList& fields : rowsOf("promise-cases/cases.tsv", 9))

@@ -243,7 +243,7 @@ void TestWorker::costsItsOwnRequest_data() {
 void TestWorker::costsItsOwnRequest() {
   QFETCH(int, trial);
   const auto [attempt, expected] = trials[trial].second;
-  if (sanitized && expected == Failure::memory) QSKIP("sanitizers need the memory");
+  if (sanitized && expected == Failure::memory) QSKIP("sanitizers take memory of their own");
   QCOMPARE(attempt(), expected);
 }
 
@@ -300,13 +300,13 @@ void TestWorker::systemCallsAreRefused_data() {
 }
 
 void TestWorker::systemCallsAreRefused() {
-  if (sanitized) QSKIP("sanitizers need them");
+  if (sanitized) QSKIP("sanitizers make such calls themselves");
   QFETCH(int, which);
   QCOMPARE(outcomeOf<callsSystem>(which), Failure::ended);
 }
 
 void TestWorker::writesNothing() {
-  if (sanitized) QSKIP("sanitizers need it");
+  if (sanitized) QSKIP("sanitizers keep a descriptor that they write to");
   Request request{.files = {}};
   Failure failure{};
   const Result<int> count = isolated<writable>(request, failure, 0);
