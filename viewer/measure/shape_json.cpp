@@ -17,7 +17,7 @@ ShapeKind readKind(JsonFields& fields) {
   for (const ShapeRule& rule : shapeRules()) words.emplace_back(rule.name, rule.kind);
   ShapeKind kind = ShapeKind::length;
   if (!fields.raw("kind")) fields.refuse(fields.pathOf("kind"), "is missing");
-  fields.read("kind", kind, words);
+  fields("kind", kind, words);
   return kind;
 }
 
@@ -37,8 +37,8 @@ void readPoints(JsonFields& fields, std::vector<glm::dvec3>& points, bool ofFram
 ShapeFrame readFrame(JsonFields fields) {
   ShapeFrame frame;
   if (!fields.raw("instance")) fields.refuse(fields.pathOf("instance"), "is missing");
-  fields.read("instance", frame.instance);
-  fields.read("number", frame.number);
+  fields("instance", frame.instance);
+  fields("number", frame.number);
   fields.refuseOthers();
   return frame;
 }
@@ -48,7 +48,7 @@ ShapePlane readPlane(JsonFields fields) {
   for (const auto& [name, part] :
        {std::pair("centre", &plane.centre), {"right", &plane.right}, {"down", &plane.down}}) {
     if (!fields.raw(name)) fields.refuse(fields.pathOf(name), "is missing");
-    fields.read(name, *part);
+    fields(name, *part);
   }
   fields.refuseOthers();
   return plane;
@@ -182,7 +182,7 @@ void addVolume(ordered_json& out, const Shape& shape, const Measured& m) {
 Shape readShape(JsonFields fields) {
   Shape shape;
   shape.kind = readKind(fields);
-  fields.read("name", shape.name);
+  fields("name", shape.name);
   if (shape.kind == ShapeKind::volume) {
     readRange(fields, shape.range);
   } else {
@@ -191,7 +191,7 @@ Shape readShape(JsonFields fields) {
     if (shape.frame && ruleOf(shape.kind).region) shape.plane.emplace();
     if (shape.frame) return fields.refuseOthers(), shape;
     if (auto plane = fields.object("plane")) shape.plane = readPlane(*plane);
-    if (fields.raw("softMm")) fields.read("softMm", shape.softMm.emplace(0));
+    if (fields.raw("softMm")) fields("softMm", shape.softMm.emplace(0));
   }
   fields.refuseOthers();
   return shape;

@@ -29,9 +29,9 @@ bool hasAllParts(const Code& code) {
 Code readCode(JsonFields* from, const char* name) {
   Code code;
   if (auto fields = from->object(name)) {
-    fields->read("value", code.value);
-    fields->read("scheme", code.scheme);
-    fields->read("meaning", code.meaning);
+    (*fields)("value", code.value);
+    (*fields)("scheme", code.scheme);
+    (*fields)("meaning", code.meaning);
     fields->refuseOthers();
     if (!hasAllParts(code))
       from->refuse(from->pathOf(name), "must have a value, its scheme and its meaning, or be left out");
@@ -41,15 +41,15 @@ Code readCode(JsonFields* from, const char* name) {
 
 Segment readSegment(JsonFields fields) {
   Segment segment;
-  fields.read("name", segment.label);
+  fields("name", segment.label);
   if (isBlank(segment.label)) fields.refuse(fields.pathOf("name"), "must be the segment's name");
-  fields.read("description", segment.description);
+  fields("description", segment.description);
   segment.category = readCode(&fields, "category");
   segment.type = readCode(&fields, "type");
   segment.modifier = readCode(&fields, "modifier");
   if (fields.raw("colour")) {
     glm::dvec3 colour(0);
-    fields.read("colour", colour);
+    fields("colour", colour);
     for (int n = 0; n < 3; ++n)
       if (!(colour[n] >= 0 && colour[n] <= 255) || colour[n] != double(int(colour[n])))
         fields.refuse(fields.pathOf("colour"), "must be three whole numbers from 0 to 255");
@@ -78,7 +78,7 @@ std::vector<glm::dvec3> readPlaces(JsonFields& fields, const char* name) {
 
 double readNumber(JsonFields& fields, const StepField& field) {
   double number = std::get<double>(field.byDefault);
-  fields.read(field.name, number);
+  fields(field.name, number);
   if (!(number >= field.allowed.low && number <= field.allowed.high))
     fields.refuse(fields.pathOf(field.name), "must be from " + numberText(field.allowed.low) + " to " +
                                                  numberText(field.allowed.high) + ", not " +
@@ -90,7 +90,7 @@ double readNumber(JsonFields& fields, const StepField& field) {
 
 std::string readWord(JsonFields& fields, const StepField& field) {
   std::string word = std::get<std::string>(field.byDefault), allowed;
-  fields.read(field.name, word);
+  fields(field.name, word);
   for (const char* one : field.words) allowed += (allowed.empty() ? "\"" : " or \"") + std::string(one) + '"';
   if (!field.words.empty() && std::ranges::find(field.words, word) == field.words.end())
     fields.refuse(fields.pathOf(field.name), "must be " + allowed + ", not " + JsonFields::quoted(word));
@@ -120,7 +120,7 @@ void readField(JsonFields& fields, const StepField& field, Step& step) {
     value = readNumber(fields, field);
   else if (std::holds_alternative<bool>(field.byDefault)) {
     bool flag = std::get<bool>(field.byDefault);
-    fields.read(field.name, flag);
+    fields(field.name, flag);
     value = flag;
   } else if (std::holds_alternative<std::string>(field.byDefault))
     value = readWord(fields, field);
@@ -136,8 +136,8 @@ void readField(JsonFields& fields, const StepField& field, Step& step) {
 
 Step readStep(JsonFields fields) {
   Step step;
-  fields.read("step", step.kind);
-  fields.read("segment", step.segment);
+  fields("step", step.kind);
+  fields("segment", step.segment);
   if (isBlank(step.segment))
     fields.refuse(fields.pathOf("segment"), "must be the segment that the step makes");
   const StepKind* const kind = stepKind(step.kind);
@@ -239,10 +239,10 @@ Result<Recipe> readRecipe(const std::string& json) {
   JsonFields fields(*parsed, "", problem);
   Recipe recipe;
   int version = 0;
-  fields.read("volumenRecipe", version);
+  fields("volumenRecipe", version);
   if (version != 1) fields.refuse("volumenRecipe", "must be 1: this is no recipe, or one of a newer program");
-  fields.read("name", recipe.name);
-  fields.read("description", recipe.description);
+  fields("name", recipe.name);
+  fields("description", recipe.description);
   if (const nlohmann::json* list = fields.raw("modalities")) {
     const bool isList = list->is_array() && std::all_of(list->begin(), list->end(),
                                                         [](const auto& one) { return one.is_string(); });
@@ -251,7 +251,7 @@ Result<Recipe> readRecipe(const std::string& json) {
     else
       fields.refuse("modalities", "must be a list of words, as in [\"CT\"]");
   }
-  fields.read("contrast", recipe.needsContrast);
+  fields("contrast", recipe.needsContrast);
   fields.readList("segments", recipe.segments, readSegment);
   readSteps(fields, recipe.steps);
   if (recipe.segments.empty() || recipe.segments.size() > mostSegments)
