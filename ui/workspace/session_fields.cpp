@@ -74,10 +74,7 @@ void field(SessionFields& f, const char* name, Scene& scene) {
 void field(SessionFields& f, const char* name, Shape& shape) {
   auto object = f.object(name);
   if (!object) return;
-  if (f.reading())
-    shape = readShape(std::move(*object));
-  else
-    f.write(name, shapeToJson(shape));
+  shapeFields(std::move(*object), shape);
   if (const Status valid = checkShape(shape); !valid) refuse(f, name, valid.message());
 }
 
