@@ -92,15 +92,6 @@ class JsonFields {
   /// Returns the object in a field; empty if missing.
   std::optional<JsonFields> object(const char* name);
 
-  /// Reads a list of objects with `readItem(JsonFields)`; replaces `items` if the field exists.
-  template <class T, class Read>
-  void readList(const char* name, std::vector<T>& items, Read readItem) {
-    const nlohmann::json* list = find(name, Kind::list);
-    if (!list) return;
-    items.clear();
-    for (const nlohmann::json& item : *list)
-      items.push_back(readItem(JsonFields(item, pathOf(name, items.size()), problem_)));
-  }
   /// Reads `count` numbers from a list at `path`.
   void readNumbers(const nlohmann::json& list, const std::string& path, double* numbers, std::size_t count);
 
