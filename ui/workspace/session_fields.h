@@ -33,21 +33,21 @@ struct UnreadSteps {
   std::string why;
 };
 
-/// What the fields of a session refer to.
+/// What the fields of a session refer to: the series, and the list of steps that could not be read.
 struct SessionContext {
   const NumberedSeries* series;
   std::vector<UnreadSteps>* unread = nullptr;  ///< only for reading
 };
 using SessionFields = FieldsWith<SessionContext>;
 
-/// The index of a series in the list; null: no series.
+/// Reads or writes the index of a series in the list, null for no series.
 void field(SessionFields& f, const char* name, SeriesKey& series);
 void field(SessionFields& f, const char* name, Scene& scene);
 void field(SessionFields& f, const char* name, Shape& shape);
-/// A frame of reference: its UID, or the index of the only series in it.
+/// Reads or writes a frame of reference: its UID, or the index of the only series in it.
 void frameField(SessionFields& f, const char* name, std::string& frame);
-/// How the segments of a map were made, as in a recipe; left out if that is unknown. Steps that cannot be
-/// read are no error: they are left out and listed in the context.
+/// Reads or writes how the segments of a map were made, as in a recipe; nothing if that is unknown. Steps
+/// that cannot be read are no error: they are left out and listed in the context.
 void stepsField(SessionFields& f, const SeriesKey& series, int map, const char* name,
                 std::vector<Step>& steps);
 
@@ -58,12 +58,13 @@ void field(SessionFields& f, const char* name, SharedList<T>& items) {
   if (f.reading()) items.assign(list);
 }
 
-/// A map as a list of objects, each with the fields that `fieldsOf(f, key, value)` names.
+/// Reads or writes a map as a list of objects, each with the fields that `fieldsOf(f, key, value)` names.
 template <class Key, class T, class FieldsOf>
 void mapField(SessionFields& f, const char* name, SharedMap<Key, T>& items, FieldsOf fieldsOf) {
   std::vector<std::pair<Key, T>> list;
   if (!f.reading()) list.assign(items.begin(), items.end());
-  f.list(name, list, [&](SessionFields& item, auto& entry) { fieldsOf(item, entry.first, entry.second); });
+  f.list(name, list, {},
+         [&](SessionFields& item, auto& entry) { fieldsOf(item, entry.first, entry.second); });
   for (std::size_t n = 0; f.reading() && n < list.size(); ++n)
     if (!items.add(list[n].first, list[n].second)) f.refuse(f.pathOf(name, n), "is there twice");
 }

@@ -44,15 +44,14 @@ class FieldsWith : public JsonFields {
     (*this)(name, copy);
     if (reading() && copy) value = std::make_shared<const T>(std::move(*copy));
   }
-  /// A list of structs. Elements that are read start as `first`.
+  /// Reads or writes a list of structs. Elements to be read start as `first`.
   template <class T>
   void operator()(const char* name, std::vector<T>& items, const T& first = T()) {
-    list(
-        name, items, [](FieldsWith& f, T& item) { fields(f, item); }, first);
+    list(name, items, first, [](FieldsWith& f, T& item) { fields(f, item); });
   }
-  /// A list of objects, each with the fields that `fieldsOf(f, item)` names.
+  /// Does the same; `fieldsOf(f, item)` names the fields of an element.
   template <class T, class FieldsOf>
-  void list(const char* name, std::vector<T>& items, FieldsOf fieldsOf, const T& first = T()) {
+  void list(const char* name, std::vector<T>& items, const T& first, FieldsOf fieldsOf) {
     const nlohmann::json* const read = find(name, Kind::list);
     if (reading() && !read) return;
     if (read) items.assign(read->size(), first);

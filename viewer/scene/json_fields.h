@@ -28,7 +28,7 @@ struct Limits {
 
 /// How a list of points stands in a file: each as a list of `numbers` numbers.
 struct PointRule {
-  std::string sentence;     ///< refuses everything else and lists that are too long
+  std::string sentence;     ///< refuses other values and longer lists
   std::size_t numbers = 3;  ///< 2 or 3
   std::size_t most = std::numeric_limits<std::size_t>::max();
   double withinMm = std::numeric_limits<double>::infinity();  ///< largest coordinate that can be read
@@ -60,20 +60,20 @@ class JsonFields {
   void operator()(const char* name, double& value, Limits limits);
   void operator()(const char* name, glm::dvec2& value, Limits limits);
   void operator()(const char* name, glm::dvec3& value, Limits limits);
-  /// x and y of each point in turn.
+  /// The list holds x and y of each point in turn.
   void operator()(const char* name, std::vector<glm::dvec2>& points, Limits limits);
   void operator()(const char* name, std::vector<glm::dvec3>& points, const PointRule& rule);
-  /// A list of at most `most` texts; `sentence` refuses everything else.
+  /// Reads or writes a list of at most `most` texts. `sentence` refuses everything else.
   void texts(const char* name, std::vector<std::string>& texts, std::size_t most,
              const std::string& sentence);
 
-  /// One of several words.
+  /// Reads or writes one of several words.
   template <class T>
   void operator()(const char* name, T& value, const Words<T>& words) {
     std::string word, allowed;
     for (const auto& [text, meaning] : words) {
       allowed += (allowed.empty() ? "" : " or ") + quoted(text);
-      if (value == meaning) word = text;
+      if (word.empty() && value == meaning) word = text;
     }
     (*this)(name, word);
     for (const auto& [text, meaning] : words)
@@ -89,7 +89,7 @@ class JsonFields {
   const nlohmann::json* raw(const char* name);
   /// Returns whether a field to be read has a value other than null.
   bool given(const char* name);
-  /// Returns the object in a field; empty if missing.
+  /// Returns the object in a field, to be read or written; empty if it is missing.
   std::optional<JsonFields> object(const char* name);
 
   /// Reads `count` numbers from a list at `path`.
