@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "ui/workspace/hanging_protocol.h"
-#include "ui/workspace/session_fields.h"
+#include "viewer/scene/fields.h"
 
 namespace volumen {
 
@@ -39,8 +39,7 @@ struct ProtocolLinks : Links {
   bool operator==(const ProtocolLinks&) const = default;
 };
 
-template <class Fields>
-void fields(Fields& f, SeriesRule& rule) {
+static void fields(Fields& f, SeriesRule& rule) {
   for (const auto& [name, words] : {std::pair("modality", &SeriesRule::modality),
                                     {"bodyPart", &SeriesRule::bodyPart},
                                     {"laterality", &SeriesRule::laterality},
@@ -54,8 +53,7 @@ void fields(Fields& f, SeriesRule& rule) {
   f.unlessNone("contrast", rule.contrast);
 }
 
-template <class Fields>
-void fields(Fields& f, ProtocolCondition& when) {
+static void fields(Fields& f, ProtocolCondition& when) {
   fields(f, when.rule);
   const ProtocolCondition any;
   f.unless(any.least, "least", when.least, Limits{0, 10000});
@@ -63,8 +61,7 @@ void fields(Fields& f, ProtocolCondition& when) {
   f.unless(false, "prior", when.prior);
 }
 
-template <class Fields>
-void fields(Fields& f, ProtocolSeries& series) {
+static void fields(Fields& f, ProtocolSeries& series) {
   f.unless({}, "name", series.name);
   f.require("name", !series.name.empty() && series.name.find('|') == std::string::npos,
             "must be a name without \"|\"");
@@ -74,16 +71,14 @@ void fields(Fields& f, ProtocolSeries& series) {
   f.unless({}, "like", series.like);
 }
 
-template <class Fields>
-void fields(Fields& f, ProtocolWindow& window) {
+static void fields(Fields& f, ProtocolWindow& window) {
   f("centre", window.centre, {-mostOfWindow, mostOfWindow});
   f("width", window.width, {-mostOfWindow, mostOfWindow});
   f.require("width", std::abs(window.width) >= leastWidthOfWindow,
             "must be at least 1e-9 wide, inverted or not");
 }
 
-template <class Fields>
-void fields(Fields& f, ProtocolCell& cell) {
+static void fields(Fields& f, ProtocolCell& cell) {
   std::optional<ProtocolWindow> window;
   if (cell.window) window = {*cell.window};
   f.unless({}, "series", cell.series);
@@ -98,8 +93,7 @@ void fields(Fields& f, ProtocolCell& cell) {
   if (window) cell.window = *window;
 }
 
-template <class Fields>
-void fields(Fields& f, ProtocolLinks& links) {
+static void fields(Fields& f, ProtocolLinks& links) {
   const Links usual;
   f.unless(usual.scroll, "scroll", links.scroll);
   f.unless(usual.zoom, "zoom", links.zoom);
@@ -107,8 +101,7 @@ void fields(Fields& f, ProtocolLinks& links) {
   f.unless(usual.window, "window", links.window);
 }
 
-template <class Fields>
-void layoutField(Fields& f, Layout& layout) {
+static void layoutField(Fields& f, Layout& layout) {
   const auto textOf = [](int rows, int columns) {
     return std::to_string(rows) + "x" + std::to_string(columns);
   };
@@ -122,8 +115,7 @@ void layoutField(Fields& f, Layout& layout) {
             "must be rows and columns, \"1x1\" to \"4x5\", not " + JsonFields::quoted(text));
 }
 
-template <class Fields>
-void fields(Fields& f, HangingProtocol& protocol) {
+static void fields(Fields& f, HangingProtocol& protocol) {
   ProtocolLinks links{protocol.links};
   f.unless({}, "name", protocol.name);
   f.require("name", !protocol.name.empty(), "must not be empty");
@@ -181,25 +173,17 @@ Result<HangingProtocol> protocolFromJson(const std::string& text) {
   const auto parsed = parseJson(text, 1);
   if (!parsed) return parsed.error();
   std::string problem;
-  JsonFields json(*parsed, "", problem);
+  Fields f(JsonFields(*parsed, "", problem));
   HangingProtocol protocol;
-  const NumberedSeries none;
-  std::vector<UnreadSteps> unread;
-  FieldReader reader(json, none, unread);
-  fields(reader, protocol);
-  json.refuseOthers();
-  if (problem.empty()) checkProtocol(json, protocol);
+  fields(f, protocol);
+  f.refuseOthers();
+  if (problem.empty()) checkProtocol(f, protocol);
   if (!problem.empty()) return Error{problem};
   return protocol;
 }
 
 std::string protocolToJson(const HangingProtocol& protocol) {
-  HangingProtocol copy = protocol;
-  NumberedSeries none;
-  std::string problem;
-  FieldWriter writer("", none, problem);
-  fields(writer, copy);
-  return writer.json().dump(1, ' ', false, FieldWriter::Json::error_handler_t::replace) + "\n";
+  return jsonOf(protocol).dump(1, ' ', false, JsonFields::Json::error_handler_t::replace) + "\n";
 }
 
 }  // namespace volumen

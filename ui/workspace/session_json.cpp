@@ -19,16 +19,14 @@ constexpr std::size_t mostMiB = 8;
 
 // One list of fields for each struct, for writing and reading (session_fields.h).
 
-template <class Fields>
-void fields(Fields& f, Window& w) {
+static void fields(SessionFields& f, Window& w) {
   f("centre", w.centre, valueLimits);
   f("width", w.width, valueLimits);
   f.require("width", w.width != 0, "must not be 0");
 }
 
 // The directions of a picture in the patient. Rounding may take a cosine a little beyond 1.
-template <class Fields>
-void fields(Fields& f, Lasso& lasso) {
+static void fields(SessionFields& f, Lasso& lasso) {
   f("origin", lasso.origin, mmLimits);
   directions(f, lasso.right, lasso.down);
   f("perspective", lasso.perspective);
@@ -36,14 +34,12 @@ void fields(Fields& f, Lasso& lasso) {
   f("points", lasso.points, mmLimits);
 }
 
-template <class Fields>
-void fields(Fields& f, ChosenWindow& chosen) {
+static void fields(SessionFields& f, ChosenWindow& chosen) {
   f("window", chosen.window);
   f("namedGrey", chosen.namedGrey, {0, 1e6});
 }
 
-template <class Fields>
-void fields(Fields& f, SeriesState& s) {
+static void fields(SessionFields& f, SeriesState& s) {
   std::vector<Lasso> lassos;
   for (const auto& lasso : s.mask.lassos) lassos.push_back(*lasso);
   f("tableRemoved", s.mask.tableRemoved);
@@ -56,21 +52,14 @@ void fields(Fields& f, SeriesState& s) {
   f("colours", s.colours, colourWords);
 }
 
-template <class Fields>
-void fields(Fields& f, SavedFolder& folder) {
-  f("path", folder.path);
-}
+static void fields(SessionFields& f, SavedFolder& folder) { f("path", folder.path); }
 
 struct SavedPlace {
   glm::dvec3 at{0};
 };
-template <class Fields>
-void fields(Fields& f, SavedPlace& place) {
-  f("at", place.at, mmLimits);
-}
+static void fields(SessionFields& f, SavedPlace& place) { f("at", place.at, mmLimits); }
 
-template <class Fields>
-void fields(Fields& f, SavedCurve& curve) {
+static void fields(SessionFields& f, SavedCurve& curve) {
   CurvedRecipe& recipe = curve.recipe;
   std::vector<SavedPlace> points;
   for (const glm::dvec3 p : recipe.points) points.push_back({p});
@@ -83,8 +72,7 @@ void fields(Fields& f, SavedCurve& curve) {
   for (const SavedPlace& place : points) recipe.points.push_back(place.at);
 }
 
-template <class Fields>
-void fields(Fields& f, SeriesEntry& s) {
+static void fields(SessionFields& f, SeriesEntry& s) {
   f("path", s.saved.series.path);
   f("relativePath", s.saved.relativePath);
   f("folders", s.saved.folders);
@@ -105,61 +93,53 @@ void fields(Fields& f, SeriesEntry& s) {
   fields(f, s.state);
 }
 
-template <class Fields>
-void fields(Fields& f, ChosenPreset& p) {
+static void fields(SessionFields& f, ChosenPreset& p) {
   f("name", p.name);
   f("scene", p.scene);
 }
 
-template <class Fields>
-void fields(Fields& f, DerivedKey& object) {
+static void fields(SessionFields& f, DerivedKey& object) {
   f("path", object.path);
   f("id", object.id);
 }
 
-template <class Fields>
-void fields(Fields& f, SavedObject& saved) {
+static void fields(SessionFields& f, SavedObject& saved) {
   fields(f, saved.key);
   f("relativePath", saved.relativePath);
   f("kind", saved.kind, derivedWords);
 }
 
-template <class Fields>
-void fields(Fields& f, KeyImage& image) {
+static void fields(SessionFields& f, KeyImage& image) {
   f("series", image.series);
   f("sopInstanceUid", image.sopInstanceUid);
   f("frame", image.frame, {0, 1e9});
   f.unlessNone("window", image.window);
 }
 
-template <class Fields>
-void fields(Fields& f, RegionsLook& look) {
+static void fields(SessionFields& f, RegionsLook& look) {
   f("kind", look.kind, regionWords);
   f("label", look.label);
   f("frameOfReferenceUid", look.frameOfReferenceUid);
   f("opacity", look.opacity, {0, 1});
-  f.map("regions", look.shown, [](auto& item, int& number, bool& shown) {
+  mapField(f, "regions", look.shown, [](SessionFields& item, int& number, bool& shown) {
     item("number", number, {-2147483648.0, 2147483647.0});
     item("shown", shown);
   });
 }
 
-template <class Fields>
-void fields(Fields& f, PictureLevel& level) {
+static void fields(SessionFields& f, PictureLevel& level) {
   f("quality", level.quality, qualityWords);
   f("edge", level.edge, {1, 16});
 }
 
-template <class Fields>
-void fields(Fields& f, QualityGoal& goal) {
+static void fields(SessionFields& f, QualityGoal& goal) {
   f("aim", goal.aim, aimWords);
   f("level", goal.level);
   f("frameMs", goal.frameMs, {1e-3, 1e9});
   f("errorOf255", goal.errorOf255, {1e-9, 1e3});
 }
 
-template <class Fields>
-void fields(Fields& f, Measurement& m) {
+static void fields(SessionFields& f, Measurement& m) {
   bool placed = m.textOffset.has_value();
   glm::dvec3 offset = m.textOffset.value_or(glm::dvec3(0));
   f("id", m.id, {1, 1e9});
@@ -171,8 +151,7 @@ void fields(Fields& f, Measurement& m) {
 }
 
 // Views in their initial state at the end of the list are not written, except for the first eight.
-template <class Fields>
-void viewsField(Fields& f, SharedList<ViewState>& views) {
+static void viewsField(SessionFields& f, SharedList<ViewState>& views) {
   constexpr std::size_t always = 8;
   const Workspace first;
   std::size_t count = views.size();
@@ -187,16 +166,14 @@ void viewsField(Fields& f, SharedList<ViewState>& views) {
 }
 
 // Written only if it is not the default, so that older versions can read sessions without a second window.
-template <class Fields>
-void fields(Fields& f, SecondWindow& second) {
+static void fields(SessionFields& f, SecondWindow& second) {
   f("shown", second.shown);
   f("layout", second.layout, gridWords);
   f("mainFocus", second.mainFocus, {0, firstSecondId - 1});
 }
 
 // All fields except the series, whose list comes first.
-template <class Fields>
-void fields(Fields& f, Workspace& w) {
+static void fields(SessionFields& f, Workspace& w) {
   f("layout", w.layout, layoutWords);
   f.unless({}, "second", w.second);
   f("focus", w.focus, {0, viewCount - 1});
@@ -208,20 +185,18 @@ void fields(Fields& f, Workspace& w) {
   f("measurements", w.measurements);
   f("measurementsShown", w.measurementsShown);
   f("keyImages", w.keyImages);
-  f.map("regions", w.regions, [](auto& item, DerivedKey& object, RegionsLook& look) {
+  mapField(f, "regions", w.regions, [](SessionFields& item, DerivedKey& object, RegionsLook& look) {
     fields(item, object);
     fields(item, look);
   });
 }
 
-template <class Fields>
-void fields(Fields& f, SavedPatient& patient) {
+static void fields(SessionFields& f, SavedPatient& patient) {
   f("name", patient.name);
   f("id", patient.id);
 }
 
-template <class Fields>
-void fields(Fields& f, ExportedMap& map) {
+static void fields(SessionFields& f, ExportedMap& map) {
   f("series", map.series);
   f("number", map.number, {0, 1e6});
 }
@@ -231,14 +206,13 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
   const auto parsed = parseJson(text, mostMiB);
   if (!parsed) return parsed.error();
   std::string problem;
-  JsonFields json(*parsed, "", problem);
   NumberedSeries numbers;
   SavedSession session;
-  FieldReader read(json, numbers, session.unreadSteps);
+  SessionFields read(JsonFields(*parsed, "", problem), {&numbers, &session.unreadSteps});
   int found = 0;
   read("volumenSession", found, {-1e9, 1e9});
   if (found != version)
-    json.refuse("volumenSession", "must be " + std::to_string(version) + ", the version of the format, not " +
+    read.refuse("volumenSession", "must be " + std::to_string(version) + ", the version of the format, not " +
                                       std::to_string(found));
   std::vector<SeriesEntry> entries;
   read("series", entries);
@@ -247,7 +221,7 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
     const SeriesState state = stateOf(std::move(entry), find);
     numbers.add(*state.series);
     if (!session.workspace.series.add(numbers.keys.back(), state))
-      return Error{json.pathOf("series", numbers.keys.size() - 1) + " is there twice."};
+      return Error{read.pathOf("series", numbers.keys.size() - 1) + " is there twice."};
   }
   fields(read, session.workspace);
   read("segmentMaps", session.workspace.segmentMaps);
@@ -256,8 +230,8 @@ Result<SavedSession> sessionFromJson(const std::string& text, const FindSeries& 
   read("exported", session.exported);
   std::vector<SavedObject> derived;
   read("references", derived);
-  json.refuseOthers();
-  if (problem.empty()) checkViews(json, session.workspace);
+  read.refuseOthers();
+  if (problem.empty()) checkViews(read, session.workspace);
   if (!problem.empty()) return Error{problem};
   if (findObject) session.workspace = withObjectsFound(std::move(session.workspace), derived, findObject);
   return session;
@@ -268,7 +242,8 @@ Result<std::string> sessionToJson(const Workspace& workspace, const std::string&
                                   std::vector<ExportedMap> exported) {
   std::string problem;
   NumberedSeries numbers;
-  FieldWriter write("", numbers, problem);
+  JsonFields::Json json;
+  SessionFields write(JsonFields(json, "", problem), {&numbers});
   std::vector<SeriesEntry> entries;
   for (const auto& [key, state] : workspace.series) {
     entries.push_back(entryOf(state, folder));
@@ -290,7 +265,7 @@ Result<std::string> sessionToJson(const Workspace& workspace, const std::string&
   if (!exported.empty()) write("exported", exported);
   if (!problem.empty()) return Error{problem};
   // Names that are not UTF-8 get replacement characters; such series are reported as missing later.
-  std::string text = write.json().dump(1, ' ', false, FieldWriter::Json::error_handler_t::replace) + "\n";
+  std::string text = json.dump(1, ' ', false, JsonFields::Json::error_handler_t::replace) + "\n";
   if (text.size() > mostMiB << 20)
     return Error{"The session is larger than " + std::to_string(mostMiB) + " MiB."};
   return text;

@@ -21,8 +21,7 @@ inline bool spansSpace(const VoxelGeometry& geometry) {
   return geometry.voxelVolume() / (mm.x * mm.y * mm.z) > 1e-9;
 }
 
-template <class Fields>
-void fields(Fields& f, VoxelGeometry& g) {
+inline void fields(SessionFields& f, VoxelGeometry& g) {
   constexpr Limits counts{1, 1e6};
   f("sizeI", g.size.x, counts);
   f("sizeJ", g.size.y, counts);
@@ -34,33 +33,28 @@ void fields(Fields& f, VoxelGeometry& g) {
   f("calibrated", g.calibrated);
 }
 
-template <class Fields>
-void fields(Fields& f, ValueRange& range) {
+inline void fields(SessionFields& f, ValueRange& range) {
   f("low", range.low, valueLimits);
   f("high", range.high, valueLimits);
 }
 
-template <class Fields>
-void fields(Fields& f, CurveSpan& span) {
+inline void fields(SessionFields& f, CurveSpan& span) {
   f("number", span.number, {0, 1000});
   f("of", span.of, {1, 1000});
 }
 
-template <class Fields>
-void fields(Fields& f, Code& code) {
+inline void fields(SessionFields& f, Code& code) {
   f("value", code.value);
   f("scheme", code.scheme);
   f("meaning", code.meaning);
 }
 
-template <class Fields>
-void fields(Fields& f, AnatomicStructure& structure) {
+inline void fields(SessionFields& f, AnatomicStructure& structure) {
   f("code", structure.code);
   f.unless({}, "modifier", structure.modifier);
 }
 
-template <class Fields>
-void fields(Fields& f, AlgorithmIdentity& algorithm) {
+inline void fields(SessionFields& f, AlgorithmIdentity& algorithm) {
   f.unless({}, "family", algorithm.family);
   f.unless({}, "nameCode", algorithm.nameCode);
   f("name", algorithm.name);
@@ -69,8 +63,7 @@ void fields(Fields& f, AlgorithmIdentity& algorithm) {
   f("source", algorithm.source);
 }
 
-template <class Fields>
-void fields(Fields& f, Segment& s) {
+inline void fields(SessionFields& f, Segment& s) {
   bool coloured = s.colour.has_value();
   glm::dvec3 colour(s.colour.value_or(glm::u8vec3(0)));
   f("number", s.number, {1, 255});
@@ -97,15 +90,13 @@ void fields(Fields& f, Segment& s) {
   if (coloured) s.colour = glm::u8vec3(colour);
 }
 
-template <class Fields>
-void fields(Fields& f, TissueShown& tissue) {
+inline void fields(SessionFields& f, TissueShown& tissue) {
   f("where", tissue.where, tissueWords);
   f("marginMm", tissue.marginMm, {0, mostTissueMarginMm});
 }
 
 // The labels themselves are in a file named by their checksum.
-template <class Fields>
-void fields(Fields& f, SegmentMap& map) {
+inline void fields(SessionFields& f, SegmentMap& map) {
   SavedLabels saved = savedLabelsOf(map);
   f("series", map.series);
   f("number", map.number, {0, 1e6});
@@ -115,7 +106,7 @@ void fields(Fields& f, SegmentMap& map) {
   f("current", map.current, {0, 255});
   f("in3d", map.in3d);
   f.unless({}, "tissueIn3d", map.tissue);
-  f.stepsOf(map.series, map.number, "steps", map.steps);
+  stepsField(f, map.series, map.number, "steps", map.steps);
   f.require("labels", isChecksum(saved.checksum), "must be 40 hexadecimal digits");
   f.require("geometry", spansSpace(saved.geometry), "must have axes that span space");
   if (!map.labels) map.missing = saved;

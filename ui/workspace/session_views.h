@@ -12,8 +12,7 @@ namespace volumen {
 
 // Lists of the fields of views and their links in sessions (session_fields.h), used by session_json.cpp.
 
-template <class Fields>
-void directions(Fields& f, glm::dvec3& right, glm::dvec3& down) {
+inline void directions(SessionFields& f, glm::dvec3& right, glm::dvec3& down) {
   constexpr double within = 1e-6;
   constexpr Limits cosines{-1 - within, 1 + within};
   f("right", right, cosines);
@@ -24,14 +23,12 @@ void directions(Fields& f, glm::dvec3& right, glm::dvec3& down) {
             "and down must be orthogonal unit vectors");
 }
 
-template <class Fields>
-void fields(Fields& f, PictureTurn& turn) {
+inline void fields(SessionFields& f, PictureTurn& turn) {
   f("quarters", turn.quarters, {0, 3});
   f("mirrored", turn.mirrored);
 }
 
-template <class Fields>
-void fields(Fields& f, FlatLook& look) {
+inline void fields(SessionFields& f, FlatLook& look) {
   f("panMm", look.panMm, mmLimits);
   f("zoom", look.zoom, {1e-3, 1e4});
   f("turn", look.turn);
@@ -48,13 +45,9 @@ void fields(Fields& f, FlatLook& look) {
   f.unlessNone("windowAlone", look.windowAlone);
 }
 
-template <class Fields>
-void fields(Fields& f, PlaneDirections& plane) {
-  directions(f, plane.right, plane.down);
-}
+inline void fields(SessionFields& f, PlaneDirections& plane) { directions(f, plane.right, plane.down); }
 
-template <class Fields>
-void fields(Fields& f, Crosshair& crosshair) {
+inline void fields(SessionFields& f, Crosshair& crosshair) {
   f("at", crosshair.at, mmLimits);
   f("axial", crosshair.axial);
   f("coronal", crosshair.coronal);
@@ -63,16 +56,14 @@ void fields(Fields& f, Crosshair& crosshair) {
   crosshair.byHand = crosshair.byHand || crosshair.turned();  // older sessions lack this field
 }
 
-template <class Fields>
-void crosshairsField(Fields& f, SharedMap<std::string, Crosshair>& crosshairs) {
-  f.map("crosshairs", crosshairs, [](auto& item, std::string& frame, Crosshair& crosshair) {
-    item.frame("frame", frame);
+inline void crosshairsField(SessionFields& f, SharedMap<std::string, Crosshair>& crosshairs) {
+  mapField(f, "crosshairs", crosshairs, [](SessionFields& item, std::string& frame, Crosshair& crosshair) {
+    frameField(item, "frame", frame);
     fields(item, crosshair);
   });
 }
 
-template <class Fields>
-void fields(Fields& f, Rigid& rigid) {
+inline void fields(SessionFields& f, Rigid& rigid) {
   constexpr double within = 1e-6;
   constexpr Limits parts{-1 - within, 1 + within};
   f("right", rigid.rotation[0], parts);
@@ -85,32 +76,29 @@ void fields(Fields& f, Rigid& rigid) {
   f.require("right", off < within, "with back and up must be a rotation");
 }
 
-template <class Fields>
-void fields(Fields& f, FrameLink& link) {
-  f.frame("from", link.from);
-  f.frame("to", link.to);
+inline void fields(SessionFields& f, FrameLink& link) {
+  frameField(f, "from", link.from);
+  frameField(f, "to", link.to);
   f("toFromFrom", link.toFromFrom);
   f("registered", link.registered);
 }
 
-template <class Fields>
-void fields(Fields& f, Links& links) {
+inline void fields(SessionFields& f, Links& links) {
   f("scroll", links.scroll);
   f("zoom", links.zoom);
   f("pan", links.pan);
   f("window", links.window);
 }
 
-template <class Fields>
-void fields(Fields& f, ViewState& v) {
+inline void fields(SessionFields& f, ViewState& v) {
   f("kind", v.kind, kindWords);
   f("series", v.series);
-  f.map("scenes", v.scenes, [](auto& item, SeriesKey& series, SceneLook& look) {
+  mapField(f, "scenes", v.scenes, [](SessionFields& item, SeriesKey& series, SceneLook& look) {
     item("series", series);
     item("scene", look.scene);
     item("preset", look.preset);
   });
-  f.map("flats", v.flats, [](auto& item, SeriesKey& series, FlatLook& look) {
+  mapField(f, "flats", v.flats, [](SessionFields& item, SeriesKey& series, FlatLook& look) {
     item("series", series);
     fields(item, look);
   });

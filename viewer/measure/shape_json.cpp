@@ -3,6 +3,8 @@
 #include <cmath>
 #include <limits>
 
+#include "viewer/scene/fields.h"
+
 namespace volumen {
 
 namespace {
@@ -12,64 +14,11 @@ using nlohmann::ordered_json;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-ShapeKind readKind(JsonFields& fields) {
+const Words<ShapeKind> kindWords = [] {
   Words<ShapeKind> words;
   for (const ShapeRule& rule : shapeRules()) words.emplace_back(rule.name, rule.kind);
-  ShapeKind kind = ShapeKind::length;
-  if (!fields.raw("kind")) fields.refuse(fields.pathOf("kind"), "is missing");
-  fields.read("kind", kind, words);
-  return kind;
-}
-
-// Reads [x, y, z] in mm, or for frames [x, y] in pixels.
-void readPoints(JsonFields& fields, std::vector<glm::dvec3>& points, bool ofFrame) {
-  const json* list = fields.raw("points");
-  if (!list) return;
-  if (!list->is_array())
-    return fields.refuse(fields.pathOf("points"), ofFrame ? "must be a list of [x, y] in pixels"
-                                                          : "must be a list of [x, y, z] in mm");
-  for (const json& point : *list) {
-    const std::string path = fields.pathOf("points", points.size());
-    fields.readNumbers(point, path, &points.emplace_back(0)[0], ofFrame ? 2 : 3);
-  }
-}
-
-ShapeFrame readFrame(JsonFields fields) {
-  ShapeFrame frame;
-  if (!fields.raw("instance")) fields.refuse(fields.pathOf("instance"), "is missing");
-  fields.read("instance", frame.instance);
-  fields.read("number", frame.number);
-  fields.refuseOthers();
-  return frame;
-}
-
-ShapePlane readPlane(JsonFields fields) {
-  ShapePlane plane;
-  for (const auto& [name, part] :
-       {std::pair("centre", &plane.centre), {"right", &plane.right}, {"down", &plane.down}}) {
-    if (!fields.raw(name)) fields.refuse(fields.pathOf(name), "is missing");
-    fields.read(name, *part);
-  }
-  fields.refuseOthers();
-  return plane;
-}
-
-// Reads [low, high]; null stands for no end.
-void readRange(JsonFields& fields, ValueRange& range) {
-  const std::string path = fields.pathOf("range");
-  const json* ends = fields.raw("range");
-  if (!ends) return fields.refuse(path, "is missing");
-  if (!ends->is_array() || ends->size() != 2)
-    return fields.refuse(path, "must be [low, high], null for no end");
-  range = {-infinity, infinity};
-  for (std::size_t n = 0; n < 2; ++n) {
-    const json& end = (*ends)[n];
-    if (end.is_number())
-      (n == 0 ? range.low : range.high) = end.get<double>();
-    else if (!end.is_null())
-      fields.refuse(fields.pathOf("range", n), "must be a number, or null for no end");
-  }
-}
+  return words;
+}();
 
 ordered_json numbers(glm::dvec3 v) { return {v.x, v.y, v.z}; }
 
@@ -82,6 +31,24 @@ ordered_json unitText(const std::string& unit) { return unit.empty() ? ordered_j
 ordered_json rangeToJson(const ValueRange& range) {
   const auto end = [](double x) { return std::isfinite(x) ? ordered_json(x) : ordered_json(); };
   return {end(range.low), end(range.high)};
+}
+
+// A range is [low, high]; null stands for no end.
+void rangeField(Fields& f, ValueRange& range) {
+  f.write("range", rangeToJson(range));
+  const json* ends = f.raw("range");
+  f.require("range", !f.reading() || ends, "is missing");
+  if (!ends) return;
+  if (!ends->is_array() || ends->size() != 2)
+    return f.refuse(f.pathOf("range"), "must be [low, high], null for no end");
+  range = {-infinity, infinity};
+  for (std::size_t n = 0; n < 2; ++n) {
+    const json& end = (*ends)[n];
+    if (end.is_number())
+      (n == 0 ? range.low : range.high) = end.get<double>();
+    else if (!end.is_null())
+      f.refuse(f.pathOf("range", n), "must be a number, or null for no end");
+  }
 }
 
 // Adds SUVpeak and the position of its ball.
@@ -165,10 +132,6 @@ void addFrame(ordered_json& out, const FrameReading& frame) {
   addReading(out, "down", frame.down);
 }
 
-ordered_json frameToJson(const ShapeFrame& frame) {
-  return {{"instance", frame.instance}, {"number", frame.number}};
-}
-
 void addVolume(ordered_json& out, const Shape& shape, const Measured& m) {
   out["range"] = rangeToJson(shape.range);
   out["voxels"] = m.segment->voxels;
@@ -179,46 +142,43 @@ void addVolume(ordered_json& out, const Shape& shape, const Measured& m) {
 
 }  // namespace
 
-Shape readShape(JsonFields fields) {
-  Shape shape;
-  shape.kind = readKind(fields);
-  fields.read("name", shape.name);
-  if (shape.kind == ShapeKind::volume) {
-    readRange(fields, shape.range);
-  } else {
-    if (auto frame = fields.object("frame")) shape.frame = readFrame(*frame);
-    readPoints(fields, shape.points, shape.frame.has_value());
-    if (shape.frame && ruleOf(shape.kind).region) shape.plane.emplace();
-    if (shape.frame) return fields.refuseOthers(), shape;
-    if (auto plane = fields.object("plane")) shape.plane = readPlane(*plane);
-    if (fields.raw("softMm")) fields.read("softMm", shape.softMm.emplace(0));
-  }
-  fields.refuseOthers();
-  return shape;
+static void fields(Fields& f, ShapeFrame& frame) {
+  f.needed("instance", frame.instance);
+  f("number", frame.number);
 }
 
-ordered_json shapeToJson(const Shape& shape) {
-  ordered_json out{{"kind", ruleOf(shape.kind).name}};
-  if (!shape.name.empty()) out["name"] = shape.name;
-  if (shape.kind == ShapeKind::volume) {
-    out["range"] = rangeToJson(shape.range);
-    return out;
-  }
-  if (shape.frame) out["frame"] = frameToJson(*shape.frame);
-  for (const glm::dvec3 p : shape.points) out["points"].push_back(placeOn(shape, p));
-  if (shape.plane && !shape.frame)
-    out["plane"] = {{"centre", numbers(shape.plane->centre)},
-                    {"right", numbers(shape.plane->right)},
-                    {"down", numbers(shape.plane->down)}};
-  if (shape.softMm) out["softMm"] = *shape.softMm;
-  return out;
+static void fields(Fields& f, ShapePlane& plane) {
+  f.needed("centre", plane.centre);
+  f.needed("right", plane.right);
+  f.needed("down", plane.down);
+}
+
+// Points in the patient are in mm, those of frames in pixels.
+static void fields(Fields& f, Shape& shape) {
+  f.needed("kind", shape.kind, kindWords);
+  f.unless({}, "name", shape.name);
+  if (shape.kind == ShapeKind::volume) return rangeField(f, shape.range);
+  f.unlessMissing("frame", shape.frame);
+  f.unless({}, "points", shape.points,
+           shape.frame ? PointRule{"must be a list of [x, y] in pixels", 2}
+                       : PointRule{"must be a list of [x, y, z] in mm"});
+  if (shape.frame && ruleOf(shape.kind).region) shape.plane.emplace();
+  if (shape.frame) return;
+  f.unlessMissing("plane", shape.plane);
+  f.unlessMissing("softMm", shape.softMm);
+}
+
+void shapeFields(JsonFields object, Shape& shape) {
+  Fields f(std::move(object));
+  fields(f, shape);
+  f.refuseOthers();
 }
 
 std::string shapesToJson(const std::vector<Shape>& shapes,
                          const std::vector<std::pair<std::string, std::string>>& series) {
   std::string text;
   for (const Shape& shape : shapes) {
-    ordered_json out = shapeToJson(shape);
+    ordered_json out = jsonOf(shape);
     for (const auto& [name, value] : series) out["series"][name] = value;
     text += (text.empty() ? "[" : ",\n ") + out.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
   }
@@ -235,7 +195,7 @@ Result<std::vector<Shape>> shapesFromJson(const std::string& text) {
     std::string problem;
     json shape = item;
     if (shape.is_object()) shape.erase("series");
-    shapes.push_back(readShape(JsonFields(shape, path, problem)));
+    shapeFields(JsonFields(shape, path, problem), shapes.emplace_back());
     if (!problem.empty()) return Error{problem};
     if (const Status valid = checkShape(shapes.back()); !valid) return Error{path + "." + valid.message()};
   }
@@ -245,7 +205,7 @@ Result<std::vector<Shape>> shapesFromJson(const std::string& text) {
 ordered_json measuredToJson(const Shape& shape, const Result<Measured>& measured) {
   ordered_json out{{"kind", ruleOf(shape.kind).name}};
   if (!shape.name.empty()) out["name"] = shape.name;
-  if (shape.frame) out["frame"] = frameToJson(*shape.frame);
+  if (shape.frame) out["frame"] = jsonOf(*shape.frame);
   if (!measured) {
     out["problem"] = measured.message();
     return out;

@@ -14,12 +14,9 @@ namespace volumen {
 /// checkShape() refuses yield an Error that names the field ("[2].plane.right must be ...").
 Result<std::vector<Shape>> shapesFromJson(const std::string& text);
 
-/// Reads one shape of such a list or of a larger file. `fields` keeps errors. The caller must call
-/// checkShape().
-Shape readShape(JsonFields fields);
-
-/// Returns a shape as readShape() reads it, without fields that have their default.
-nlohmann::ordered_json shapeToJson(const Shape& shape);
+/// Reads or writes one shape of such a list or of a larger file, without fields that have their default. The
+/// caller must call checkShape().
+void shapeFields(JsonFields object, Shape& shape);
 
 /// Returns the list that shapesFromJson() reads; it restores the shapes exactly. Each shape names its series
 /// by the names and texts of `series`, which no reader needs.

@@ -116,6 +116,8 @@ const char* kindName(const json& value) {
   }
 }
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
 }  // namespace
 
 Result<json> parseJson(const std::string& text, std::size_t mostMiB) {
@@ -137,6 +139,11 @@ JsonFields::JsonFields(const json& object, std::string path, std::string& proble
     : object_(&object), path_(std::move(path)), problem_(problem) {
   static const json empty = json::object();
   if (!isKind(object, path_.empty() ? "The JSON" : path_, Kind::object)) object_ = &empty;
+}
+
+JsonFields::JsonFields(Json& object, std::string path, std::string& problem)
+    : out_(&object), path_(std::move(path)), problem_(problem) {
+  object = Json::object();
 }
 
 bool JsonFields::isKind(const json& value, const std::string& path, Kind kind) {
@@ -163,6 +170,7 @@ bool JsonFields::isKind(const json& value, const std::string& path, Kind kind) {
 }
 
 const json* JsonFields::raw(const char* name) {
+  if (!reading()) return nullptr;
   if (std::find(known_.begin(), known_.end(), name) == known_.end()) known_.push_back(name);
   const auto found = object_->find(name);
   return found == object_->end() ? nullptr : &*found;
@@ -179,45 +187,120 @@ bool JsonFields::given(const char* name) {
 }
 
 std::optional<JsonFields> JsonFields::object(const char* name) {
+  if (!reading()) return JsonFields((*out_)[name], pathOf(name), problem_);
   const json* value = raw(name);
   if (!value) return {};
   return JsonFields(*value, pathOf(name), problem_);
 }
 
-std::optional<JsonFields> JsonFields::objectOrNull(const char* name) {
-  return given(name) ? object(name) : std::nullopt;
+JsonFields JsonFields::item(const char* name, std::size_t n, const json* list, Json& written) {
+  if (list) return JsonFields((*list)[n], pathOf(name, n), problem_);
+  return JsonFields(written.emplace_back(), pathOf(name, n), problem_);
 }
 
-void JsonFields::read(const char* name, bool& value) {
-  if (const json* field = find(name, Kind::boolean)) value = field->get<bool>();
+template <class T>
+void JsonFields::scalar(const char* name, Kind kind, T& value) {
+  write(name, value);
+  if (const json* field = find(name, kind)) value = field->get<T>();
 }
 
-void JsonFields::read(const char* name, double& value) {
-  if (const json* field = find(name, Kind::number)) value = field->get<double>();
-}
+void JsonFields::operator()(const char* name, bool& value) { scalar(name, Kind::boolean, value); }
+void JsonFields::operator()(const char* name, double& value) { scalar(name, Kind::number, value); }
+void JsonFields::operator()(const char* name, std::string& value) { scalar(name, Kind::text, value); }
 
-void JsonFields::read(const char* name, int& value) {
+void JsonFields::operator()(const char* name, int& value) {
+  if (!reading()) return write(name, value);
   double number = value;
-  read(name, number);
+  (*this)(name, number);
   if (number != std::floor(number) || std::abs(number) > 1e9)
     return refuse(pathOf(name), "must be a small whole number, not " + numberText(number));
   value = int(number);
 }
 
-void JsonFields::read(const char* name, float& value) {
-  double number = double(value);
-  read(name, number);
+void JsonFields::operator()(const char* name, float& value) {
+  double number = shortestDouble(value);
+  (*this)(name, number);
+  if (!reading()) return;
   if (std::abs(number) > double(std::numeric_limits<float>::max()))
     return refuse(pathOf(name), "must be within what float32 holds, not " + numberText(number));
   value = float(number);
 }
 
-void JsonFields::read(const char* name, std::string& value) {
-  if (const json* field = find(name, Kind::text)) value = field->get<std::string>();
+void JsonFields::operator()(const char* name, glm::dvec3& value) {
+  numberList(name, &value[0], 3, {-infinity, infinity});
 }
 
-void JsonFields::read(const char* name, glm::dvec3& value) {
-  if (const json* field = raw(name)) readNumbers(*field, pathOf(name), &value[0], 3);
+void JsonFields::check(const std::string& path, double value, Limits limits) {
+  // NaN is within no limits.
+  if (!(value >= limits.low && value <= limits.high))
+    refuse(path, "must be in " + numberText(limits.low) + " .. " + numberText(limits.high) + ", not " +
+                     numberText(value));
+}
+
+void JsonFields::operator()(const char* name, int& value, Limits limits) {
+  (*this)(name, value);
+  check(pathOf(name), value, limits);
+}
+
+void JsonFields::operator()(const char* name, double& value, Limits limits) {
+  (*this)(name, value);
+  check(pathOf(name), value, limits);
+}
+
+void JsonFields::operator()(const char* name, glm::dvec2& value, Limits limits) {
+  numberList(name, &value[0], 2, limits);
+}
+
+void JsonFields::operator()(const char* name, glm::dvec3& value, Limits limits) {
+  numberList(name, &value[0], 3, limits);
+}
+
+void JsonFields::numberList(const char* name, double* numbers, std::size_t count, Limits limits) {
+  const json* list = raw(name);
+  if (reading() && !list) return;
+  if (list) readNumbers(*list, pathOf(name), numbers, count);
+  for (std::size_t n = 0; n < count; ++n) check(pathOf(name, n), numbers[n], limits);
+  write(name, std::vector<double>(numbers, numbers + count));
+}
+
+void JsonFields::operator()(const char* name, std::vector<glm::dvec2>& points, Limits limits) {
+  const json* list = raw(name);
+  if (reading() && !list) return;
+  if (list && (!list->is_array() || list->size() % 2))
+    return refuse(pathOf(name), "must be a list of x, y, x, y ...");
+  if (list) points.resize(list->size() / 2);
+  std::vector<double> all(2 * points.size());
+  for (std::size_t n = 0; n < all.size(); ++n) all[n] = points[n / 2][int(n % 2)];
+  numberList(name, all.data(), all.size(), limits);
+  for (std::size_t n = 0; n < all.size(); ++n) points[n / 2][int(n % 2)] = all[n];
+}
+
+void JsonFields::operator()(const char* name, std::vector<glm::dvec3>& points, const PointRule& rule) {
+  const json* list = raw(name);
+  if (reading() && !list) return;
+  if (list && (!list->is_array() || list->size() > rule.most)) return refuse(pathOf(name), rule.sentence);
+  if (list) points.assign(list->size(), glm::dvec3(0));
+  Json written = Json::array();
+  for (std::size_t n = 0; n < points.size(); ++n) {
+    double* const numbers = &points[n][0];
+    if (list) readNumbers((*list)[n], pathOf(name, n), numbers, rule.numbers);
+    for (int axis = 0; list && axis < 3; ++axis)
+      if (std::abs(numbers[axis]) > rule.withinMm)
+        refuse(pathOf(name, n), "must be within " + numberText(rule.withinMm) + " mm");
+    if (!list) written.push_back(std::vector<double>(numbers, numbers + rule.numbers));
+  }
+  write(name, std::move(written));
+}
+
+void JsonFields::texts(const char* name, std::vector<std::string>& texts, std::size_t most,
+                       const std::string& sentence) {
+  write(name, texts);
+  const json* list = raw(name);
+  if (!list) return;
+  if (!list->is_array() || list->size() > most ||
+      !std::all_of(list->begin(), list->end(), [](const json& one) { return one.is_string(); }))
+    return refuse(pathOf(name), sentence);
+  texts = list->get<std::vector<std::string>>();
 }
 
 void JsonFields::readNumbers(const json& list, const std::string& path, double* numbers, std::size_t count) {
@@ -231,6 +314,7 @@ void JsonFields::readNumbers(const json& list, const std::string& path, double* 
 }
 
 void JsonFields::refuseOthers() {
+  if (!reading()) return;
   for (const auto& [key, value] : object_->items()) {
     if (std::find(known_.begin(), known_.end(), key) != known_.end()) continue;
     std::string all;

@@ -11,13 +11,15 @@ inline std::string numberText(double value) {
   return std::string(text, std::to_chars(text, text + sizeof text, value).ptr);
 }
 
-/// Returns the shortest text that reads back (via double) as the same float: 0.1, not 0.10000000149011612.
-inline std::string numberText(float value) {
+/// Returns the double with the fewest digits that rounds to the same float: 0.1, not 0.10000000149011612.
+inline double shortestDouble(float value) {
   char text[32];
-  char* const end = std::to_chars(text, text + sizeof text, value).ptr;
   double readBack = 0;
-  std::from_chars(text, end, readBack);
-  return float(readBack) == value ? std::string(text, end) : numberText(double(value));
+  std::from_chars(text, std::to_chars(text, text + sizeof text, value).ptr, readBack);
+  return float(readBack) == value ? readBack : double(value);
 }
+
+/// Returns the shortest text that reads back (via double) as the same float.
+inline std::string numberText(float value) { return numberText(shortestDouble(value)); }
 
 }  // namespace volumen

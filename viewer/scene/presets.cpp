@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "viewer/scene/automatic.h"
-#include "viewer/scene/json_fields.h"
+#include "viewer/scene/fields.h"
 #include "viewer/scene/preset_texts.h"
 #include "viewer/scene/scene_json.h"
 #include "viewer/scene/similar_name.h"
@@ -35,6 +35,19 @@ const Preset* found(const std::vector<Preset>& presets, const std::string& name)
 
 }  // namespace
 
+static void fields(Fields& f, ValueRange& anchor) {
+  f("low", anchor.low);
+  f("high", anchor.high);
+  f.require("high", anchor.low < anchor.high, "must be larger than anchor.low");
+}
+
+// All fields except the scene, whose text a file of its own would have too.
+static void fields(Fields& f, Preset& preset) {
+  f("name", preset.name);
+  f("modality", preset.modality);
+  f.unlessMissing("anchor", preset.anchor);
+}
+
 const std::vector<Preset>& builtInPresets() {
   static const std::vector<Preset> all = [] {
     std::vector<Preset> read;
@@ -61,21 +74,13 @@ Result<Preset> presetFromJson(const std::string& text) {
   const auto parsed = parseJson(text);
   if (!parsed) return parsed.error();
   std::string problem;
-  JsonFields fields(*parsed, "", problem);
+  Fields f(JsonFields(*parsed, "", problem));
   Preset preset;
-  fields.read("name", preset.name);
-  fields.read("modality", preset.modality);
-  if (auto anchor = fields.object("anchor")) {
-    anchor->read("low", preset.anchor.emplace().low);
-    anchor->read("high", preset.anchor->high);
-    if (!(preset.anchor->low < preset.anchor->high))
-      anchor->refuse("anchor.high", "must be larger than anchor.low");
-    anchor->refuseOthers();
-  }
-  const nlohmann::json* part = fields.raw("scene");
-  fields.refuseOthers();
-  if (preset.name.empty()) fields.refuse("name", "must not be empty");
-  if (!part) fields.refuse("scene", "is missing");
+  fields(f, preset);
+  const nlohmann::json* part = f.raw("scene");
+  f.refuseOthers();
+  if (preset.name.empty()) f.refuse("name", "must not be empty");
+  if (!part) f.refuse("scene", "is missing");
   if (!problem.empty()) return Error{problem};
   Result<Scene> scene = sceneFromJson(part->dump());
   if (!scene) return Error{"scene: " + scene.message()};
@@ -86,8 +91,7 @@ Result<Preset> presetFromJson(const std::string& text) {
 }
 
 std::string presetToJson(const Preset& preset) {
-  nlohmann::ordered_json file{{"name", preset.name}, {"modality", preset.modality}};
-  if (preset.anchor) file["anchor"] = {{"low", preset.anchor->low}, {"high", preset.anchor->high}};
+  auto file = jsonOf(preset);
   auto scene = nlohmann::ordered_json::parse(sceneToJson(preset.scene));
   for (const char* view : {"camera", "clip"}) scene.erase(view);
   file["scene"] = std::move(scene);

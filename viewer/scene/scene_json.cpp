@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "viewer/scene/json_fields.h"
+#include "viewer/scene/fields.h"
 #include "viewer/scene/modes.h"
+#include "viewer/scene/number_text.h"
 
 namespace volumen {
 
 namespace {
+
+using SceneText = JsonFields::Json;
 
 const Words<Mode> modeWords = [] {
   Words<Mode> words;
@@ -24,130 +27,138 @@ constexpr CurvePoint shownPoint{150, {0.9, 0.8, 0.7}, 0};
 constexpr ClipPlane shownPlane{{0, 0, 1}, 50};
 
 // The length of a direction is meaningless, but its square must not overflow.
-void readDirection(JsonFields& fields, const char* name, glm::dvec3& direction) {
-  fields.read(name, direction);
+void directionField(Fields& f, const char* name, glm::dvec3& direction) {
+  f(name, direction);
   const double largest = std::max({std::abs(direction.x), std::abs(direction.y), std::abs(direction.z)});
   if (largest > 1e100 || (largest > 0 && largest < 1e-100)) direction /= largest;
 }
 
-CurvePoint readPoint(JsonFields fields) {
-  CurvePoint point = shownPoint;
-  fields.read("value", point.value);
-  fields.read("colour", point.colour);
-  fields.read("opacity", point.opacity);
-  fields.refuseOthers();
-  return point;
-}
-
-GradientOpacityPoint readGradientPoint(JsonFields fields) {
-  GradientOpacityPoint point;
-  fields.read("gradient", point.gradient);
-  fields.read("factor", point.factor);
-  fields.refuseOthers();
-  return point;
-}
-
-void readTransferFunction(JsonFields fields, TransferFunction& curve) {
-  fields.read("unitDistance", curve.unitDistance);
-  fields.readList("points", curve.points, readPoint);
-  fields.readList("gradientOpacity", curve.gradientOpacity, readGradientPoint);
-  fields.refuseOthers();
-}
-
-void readShading(JsonFields fields, Shading& shading) {
-  fields.read("lit", shading.lit);
-  fields.read("sides", shading.sides);
-  fields.read("localViewer", shading.localViewer);
-  if (fields.given("gradientFloor")) fields.read("gradientFloor", shading.gradientFloor.emplace());
-  fields.read("ambient", shading.ambient);
-  fields.read("diffuse", shading.diffuse);
-  fields.read("specular", shading.specular);
-  fields.read("shininess", shading.shininess);
-  fields.refuseOthers();
-}
-
-Light readLight(JsonFields fields) {
-  Light light;
-  readDirection(fields, "direction", light.direction);
-  fields.read("space", light.space, spaceWords);
-  fields.read("colour", light.colour);
-  fields.read("intensity", light.intensity);
-  fields.read("on", light.on);
-  fields.refuseOthers();
-  return light;
-}
-
-Camera readCamera(JsonFields fields) {
-  Camera camera;
-  if (fields.given("target")) fields.read("target", camera.target.emplace());
-  readDirection(fields, "direction", camera.direction);
-  readDirection(fields, "up", camera.up);
-  fields.read("projection", camera.projection, projectionWords);
-  fields.read("height", camera.height);
-  fields.read("fov", camera.fov);
-  fields.read("distance", camera.distance);
-  fields.refuseOthers();
-  return camera;
-}
-
-ClipPlane readPlane(JsonFields fields) {
-  ClipPlane plane = shownPlane;
-  readDirection(fields, "normal", plane.normal);
-  fields.read("offset", plane.offset);
-  fields.refuseOthers();
-  return plane;
-}
-
-void readClip(JsonFields fields, Clip& clip) {
-  if (const auto* box = fields.raw("box")) {
-    if (!box->is_array() || box->size() != 3)
-      fields.refuse(fields.pathOf("box"), "must be a list of three [low, high] pairs");
-    else
-      for (int a = 0; a < 3; ++a) {
-        double pair[] = {clip.boxLow[a], clip.boxHigh[a]};
-        fields.readNumbers((*box)[std::size_t(a)], fields.pathOf("box", std::size_t(a)), pair, 2);
-        clip.boxLow[a] = pair[0];
-        clip.boxHigh[a] = pair[1];
-      }
+// A box is a list of three [low, high] pairs.
+void boxField(Fields& f, glm::dvec3& low, glm::dvec3& high) {
+  SceneText pairs;
+  for (int a = 0; a < 3; ++a) pairs.push_back({low[a], high[a]});
+  f.write("box", std::move(pairs));
+  const auto* box = f.raw("box");
+  if (!box) return;
+  if (!box->is_array() || box->size() != 3)
+    return f.refuse(f.pathOf("box"), "must be a list of three [low, high] pairs");
+  for (int a = 0; a < 3; ++a) {
+    double pair[] = {low[a], high[a]};
+    f.readNumbers((*box)[std::size_t(a)], f.pathOf("box", std::size_t(a)), pair, 2);
+    low[a] = pair[0];
+    high[a] = pair[1];
   }
-  fields.readList("planes", clip.planes, readPlane);
-  fields.refuseOthers();
 }
 
-Window readWindow(JsonFields fields) {
-  Window window;
-  fields.read("centre", window.centre);
-  fields.read("width", window.width);
-  fields.refuseOthers();
-  return window;
+void backgroundField(Fields& f, Background& background) {
+  const auto* field = f.raw("background");
+  if (field ? !field->is_string() : !background.transparent) return f("background", background.colour);
+  std::string word = "transparent";
+  f("background", word);
+  f.require("background", word == "transparent",
+            "must be a colour or \"transparent\", not " + JsonFields::quoted(word));
+  background.transparent = true;
 }
 
-void readBackground(JsonFields& fields, Background& background) {
-  const auto* field = fields.raw("background");
-  if (!field) return;
-  if (*field == "transparent")
-    background.transparent = true;
-  else if (field->is_string())
-    fields.refuse("background", "must be a colour or \"transparent\", not " +
-                                    JsonFields::quoted(field->get<std::string>()));
-  else
-    fields.readNumbers(*field, "background", &background.colour[0], 3);
+}  // namespace
+
+static void fields(Fields& f, Window& window) {
+  f("centre", window.centre);
+  f("width", window.width);
 }
 
-void readScene(JsonFields fields, Scene& scene) {
+static void fields(Fields& f, CurvePoint& point) {
+  f("value", point.value);
+  f("colour", point.colour);
+  f("opacity", point.opacity);
+}
+
+static void fields(Fields& f, GradientOpacityPoint& point) {
+  f("gradient", point.gradient);
+  f("factor", point.factor);
+}
+
+static void fields(Fields& f, TransferFunction& curve) {
+  f("unitDistance", curve.unitDistance);
+  f("points", curve.points, shownPoint);
+  f("gradientOpacity", curve.gradientOpacity);
+}
+
+static void fields(Fields& f, Shading& shading) {
+  f("lit", shading.lit);
+  f("sides", shading.sides);
+  f("localViewer", shading.localViewer);
+  f("gradientFloor", shading.gradientFloor);
+  f("ambient", shading.ambient);
+  f("diffuse", shading.diffuse);
+  f("specular", shading.specular);
+  f("shininess", shading.shininess);
+}
+
+static void fields(Fields& f, Light& light) {
+  directionField(f, "direction", light.direction);
+  f("space", light.space, spaceWords);
+  f("colour", light.colour);
+  f("intensity", light.intensity);
+  f("on", light.on);
+}
+
+static void fields(Fields& f, Camera& camera) {
+  f("target", camera.target);
+  directionField(f, "direction", camera.direction);
+  directionField(f, "up", camera.up);
+  f("projection", camera.projection, projectionWords);
+  f("height", camera.height);
+  f("fov", camera.fov);
+  f("distance", camera.distance);
+}
+
+static void fields(Fields& f, ClipPlane& plane) {
+  directionField(f, "normal", plane.normal);
+  f("offset", plane.offset);
+}
+
+static void fields(Fields& f, Clip& clip) {
+  boxField(f, clip.boxLow, clip.boxHigh);
+  f("planes", clip.planes, shownPlane);
+}
+
+static void fields(Fields& f, Scene& scene) {
   int version = 1;
-  fields.read("volumenScene", version);
-  if (version != 1)
-    fields.refuse("volumenScene", "must be 1, the version of the format, not " + std::to_string(version));
-  fields.read("mode", scene.mode, modeWords);
-  if (auto window = fields.objectOrNull("window")) scene.window = readWindow(*window);
-  if (auto curve = fields.object("transferFunction")) readTransferFunction(*curve, scene.transferFunction);
-  if (auto shading = fields.object("shading")) readShading(*shading, scene.shading);
-  fields.readList("lights", scene.lights, readLight);
-  if (auto camera = fields.objectOrNull("camera")) scene.camera = readCamera(*camera);
-  if (auto clip = fields.object("clip")) readClip(*clip, scene.clip);
-  readBackground(fields, scene.background);
-  fields.refuseOthers();
+  f("volumenScene", version);
+  f.require("volumenScene", version == 1,
+            "must be 1, the version of the format, not " + std::to_string(version));
+  f("mode", scene.mode, modeWords);
+  f("window", scene.window);
+  f("transferFunction", scene.transferFunction);
+  f("shading", scene.shading);
+  f("lights", scene.lights);
+  f("camera", scene.camera);
+  f("clip", scene.clip);
+  backgroundField(f, scene.background);
+}
+
+namespace {
+
+// Scene files are read and edited by people, so the layout is fixed: one line per point, light or plane.
+// `column` is where the line of the field `name` begins.
+std::string laidOut(const std::string& name, const SceneText& value, std::size_t column) {
+  if (value.is_number_float()) return numberText(value.get<double>());
+  if (!value.is_structured()) return value.dump();
+  const bool isList = value.is_array();
+  const bool areLines =
+      isList ? !value.empty() && value[0].is_object() : name.empty() || name == "transferFunction";
+  const std::size_t inside = column + (areLines ? 2 : name.size() + std::string("\"\": {").size());
+  std::string all;
+  for (const auto& [key, part] : value.items()) {
+    const bool isNewLine = areLines || key == "ambient" || key == "projection" || key == "planes";
+    if (!all.empty()) all += isNewLine ? "," : ", ";
+    if (isNewLine) all += "\n" + std::string(inside, ' ');
+    if (!isList) all += '"' + key + "\": ";
+    all += laidOut(key, part, inside);
+  }
+  if (areLines) all += "\n" + std::string(column, ' ');
+  return isList ? "[" + all + "]" : "{" + all + "}";
 }
 
 }  // namespace
@@ -157,10 +168,14 @@ Result<Scene> sceneFromJson(const std::string& text) {
   if (!parsed) return parsed.error();
   std::string problem;
   Scene scene;
-  readScene(JsonFields(*parsed, "", problem), scene);
+  Fields f(JsonFields(*parsed, "", problem));
+  fields(f, scene);
+  f.refuseOthers();
   if (!problem.empty()) return Error{problem};
   if (const Status valid = validateScene(scene); !valid) return valid.error();
   return scene;
 }
+
+std::string sceneToJson(const Scene& scene) { return laidOut("", jsonOf(scene), 0) + "\n"; }
 
 }  // namespace volumen
