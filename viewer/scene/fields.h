@@ -19,8 +19,8 @@ namespace volumen {
 template <class Context>
 class FieldsWith : public JsonFields {
  public:
-  explicit FieldsWith(JsonFields json, Context context = {})
-      : JsonFields(std::move(json)), context_(std::move(context)) {}
+  explicit FieldsWith(JsonFields of, Context context = {})
+      : JsonFields(std::move(of)), context_(std::move(context)) {}
 
   using JsonFields::operator();
   const Context& context() const { return context_; }
@@ -29,8 +29,8 @@ class FieldsWith : public JsonFields {
   void operator()(const char* name, T& value) {
     if constexpr (requires { field(*this, name, value); })
       field(*this, name, value);
-    else if (auto json = object(name))
-      whole(std::move(*json), [&](FieldsWith& f) { fields(f, value); });
+    else if (auto inside = object(name))
+      whole(std::move(*inside), [&](FieldsWith& f) { fields(f, value); });
   }
   /// Null stands for an empty value.
   template <class T, class... How>
@@ -99,8 +99,8 @@ class FieldsWith : public JsonFields {
     if (value) (*this)(name, *value, how...);
   }
   template <class FieldsOf>
-  void whole(JsonFields json, FieldsOf fieldsOf) {
-    FieldsWith f(std::move(json), context_);
+  void whole(JsonFields of, FieldsOf fieldsOf) {
+    FieldsWith f(std::move(of), context_);
     fieldsOf(f);
     f.refuseOthers();
   }
@@ -114,11 +114,11 @@ using Fields = FieldsWith<NoContext>;
 /// Returns the JSON of a struct, by its list of fields.
 template <class T>
 JsonFields::Json jsonOf(T value) {
-  JsonFields::Json json;
+  JsonFields::Json out;
   std::string problem;
-  Fields f(JsonFields(json, "", problem));
+  Fields f(JsonFields(out, "", problem));
   fields(f, value);
-  return json;
+  return out;
 }
 
 }  // namespace volumen
