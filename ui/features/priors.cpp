@@ -67,7 +67,7 @@ void Priors::compare() {
   const SeriesPicture shown = pictureIn(session_.workspace(), session_.workspace().focus);
   if (!shown) return warn(tr("Click a view that shows a series first."));
   carryOut(begunSearch(session_.workspace(), shown, open_.pictures(), int(sources_.size())));
-  if (search_.stage != PriorSearch::Stage::asking) return;
+  if (search_.asked.empty()) return;
   const Series series = search_.series;  // a copy, as an answer may come at once
   for (const auto& source : sources_) source->studiesOf(series.patientId, series.patientName);
 }

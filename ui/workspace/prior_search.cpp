@@ -21,9 +21,7 @@ bool isOnScreen(const Workspace& workspace, const Series& series) {
   });
 }
 
-bool isWithCandidate(const PriorSearch& search) {
-  return search.stage == Stage::opening || search.stage == Stage::reading;
-}
+bool isWithCandidate(const PriorSearch& search) { return search.stage != Stage::none; }
 
 QString awayText() {
   return tr(
@@ -95,7 +93,6 @@ PriorStep begunSearch(const Workspace& workspace, const SeriesPicture& picture,
     search.mayOpen = isOnScreen(workspace, *step.shown.series);
   }
   if (!search.series.patientId.empty()) {
-    search.stage = Stage::asking;
     for (int n = 0; n < sources; ++n) search.asked.insert(n);
   } else if (!step.shown) {
     step.warned =
@@ -110,7 +107,7 @@ PriorStep withAnswer(PriorSearch search, const Workspace& workspace, const std::
   // The answer may belong to another request, so the patient is compared.
   const Series& series = search.series;
   const bool isOfPatient = series.patientId == answer.patientId && series.patientName == answer.patientName;
-  if (search.stage != Stage::asking || !isOfPatient || !search.asked.erase(answer.source)) return {search};
+  if (!isOfPatient || !search.asked.erase(answer.source)) return {search};
   if (!isOnScreen(workspace, series)) return {};
   search.isUnread = search.isUnread || !answer.studies;
   for (const IndexedStudy& study :
@@ -126,7 +123,7 @@ PriorStep withAnswer(PriorSearch search, const Workspace& workspace, const std::
 }
 
 PriorSearch withFilesFound(PriorSearch search, bool areOpenedByUser) {
-  if (isWithCandidate(search)) search.stage = areOpenedByUser ? Stage::over : Stage::reading;
+  if (isWithCandidate(search)) search.stage = areOpenedByUser ? Stage::none : Stage::reading;
   return search;
 }
 
@@ -144,13 +141,13 @@ PriorStep withStudyRead(PriorSearch search, const Workspace& workspace,
   search.isAway = search.isAway || earlier.empty();
   const SeriesPicture found = mostLike({&search.series, search.frame}, earlier);
   if (!found) return withNextOpened(std::move(search));
-  search.stage = Stage::over;
+  search.stage = Stage::none;
   const QString reservation = reservationText(search, found.series->studyDate);
   return {.search = std::move(search), .shown = found, .warned = reservation};
 }
 
 PriorSearch withReadingOver(PriorSearch search) {
-  if (search.stage == Stage::reading) search.stage = Stage::over;
+  if (search.stage == Stage::reading) search.stage = Stage::none;
   return search;
 }
 

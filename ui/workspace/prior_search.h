@@ -16,15 +16,15 @@ struct PriorCandidate {
 /// A search for the prior of a picture in the studies that sources list. The functions below take it from one
 /// event to the next; events that it does not wait for leave it as it is.
 struct PriorSearch {
-  enum class Stage { over, asking, opening, reading };
-  Stage stage = Stage::over;
+  enum class Stage { none, opening, reading };
   Series series{};                          ///< the series whose prior is wanted
   int frame = -1;                           ///< index of its frame, from 0; -1: the series as such
   std::string after{};                      ///< day of the open prior, "YYYYMMDD"; empty if none is open
   bool mayOpen = true;                      ///< if false, only reports that a later prior is listed
   std::set<int> asked{};                    ///< sources that have not answered yet
   std::deque<PriorCandidate> candidates{};  ///< not opened yet: similar descriptions first, then latest first
-  PriorCandidate candidate{};               ///< the one being opened or read
+  PriorCandidate candidate{};               ///< the one opened last
+  Stage stage = Stage::none;                ///< what is being done with `candidate`
   int opened = 0;                           ///< number of candidates opened, `candidate` included
   bool isUnread = false;                    ///< a source could not be asked
   bool isAway = false;                      ///< files of a candidate are missing or have changed
@@ -45,8 +45,8 @@ struct PriorStep {
   bool opensCandidate = false;  ///< whether `search.candidate` is to be opened
 };
 
-/// Returns the first step of a search for the prior of a picture. An open prior is shown at once. If the
-/// stage is `asking`, the sources, numbered from 0, are to be asked.
+/// Returns the first step of a search for the prior of a picture. An open prior is shown at once. The sources
+/// in `search.asked`, numbered from 0, are to be asked.
 PriorStep begunSearch(const Workspace& workspace, const SeriesPicture& picture,
                       const std::vector<const Series*>& open, int sources);
 

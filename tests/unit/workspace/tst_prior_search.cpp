@@ -152,9 +152,9 @@ QStringList doneIn(const PriorStep& step) {
   const PriorCandidate& candidate = step.search.candidate;
   if (step.opensCandidate)
     all << QStringLiteral("%1 of %2").arg(QString::fromStdString(candidate.study.date)).arg(candidate.source);
-  else if (step.search.stage == PriorSearch::Stage::asking)
+  else if (!step.search.asked.empty())
     all << asks;
-  else if (step.search.stage != PriorSearch::Stage::over)
+  else if (step.search.stage != PriorSearch::Stage::none)
     all << waits;
   return all.isEmpty() ? QStringList(ends) : all;
 }
@@ -418,7 +418,7 @@ void TestPriorSearch::thePictureOfAStackIsKept() {
   Desk d;
   d.show(stacks.series[0], 0);
   PriorSearch search = begunSearch(d.workspace, {&stacks.series[0], 1}, {&stacks.series[0]}, 1).search;
-  search.asked.clear(), search.stage = PriorSearch::Stage::reading;
+  search.stage = PriorSearch::Stage::reading;
   const PriorStep step = withStudyRead(search, d.workspace, {&stacks.series[1]});
   QCOMPARE(step.search.frame, 1);
   QCOMPARE(step.shown.frame, 0);
@@ -433,7 +433,7 @@ void TestPriorSearch::hiddenNamesHideTheDay() {
     if (!step.told.isEmpty())
       QCOMPARE(step.told, QStringLiteral("The list of studies holds a later prior: Alt+7 again opens it."));
   }
-  QVERIFY(d.search.stage == PriorSearch::Stage::over);
+  QVERIFY(d.search.asked.empty());
 }
 
 VOLUMEN_TEST(TestPriorSearch);
