@@ -15,7 +15,6 @@ class TestHanging : public QObject {
   void mammogramsFaceEachOther();
   void whatIsOpenedNextIsHung_data();
   void whatIsOpenedNextIsHung();
-  void aGridThatWasChosenStays();
   void aVolumeIsHungOnceItIsShown();
   void aFrameThatCannotBeReadStopsNoOther();
   void aClickMeanwhileMakesNoSecondStep();
@@ -64,26 +63,24 @@ void TestHanging::mammogramsFaceEachOther() {
 
 void TestHanging::whatIsOpenedNextIsHung_data() {
   QTest::addColumn<int>("patient");
-  QTest::addColumn<bool>("isGridChosen");
   QTest::addColumn<bool>("isClosed");
-  QTest::newRow("another patient over the hung grid") << 78 << false << false;
-  QTest::newRow("another patient over a chosen grid") << 78 << true << false;
-  QTest::newRow("the same study after it was closed") << 77 << false << true;
+  QTest::newRow("another patient over a chosen grid") << 78 << false;
+  QTest::newRow("the same study after it was closed") << 77 << true;
 }
 
 void TestHanging::whatIsOpenedNextIsHung() {
   QFETCH(int, patient);
-  QFETCH(bool, isGridChosen);
   QFETCH(bool, isClosed);
   Mammograms first, next;
   next.patient = patient;
   QVERIFY(first.write() && next.write());
   HangingWindow w({first.folder.path()});
   QVERIFY(w.isHungInFour());
-  if (isGridChosen) w.child<QAction>("layoutTwo")->trigger();
   if (isClosed) {
     w.session().closeAll(w.window.document().open.everything());
     QVERIFY(!w.in(0));
+  } else {
+    w.child<QAction>("layoutTwo")->trigger();
   }
   w.window.open({isClosed ? first.folder.path() : next.folder.path()});
   const auto isHung = [&] {
@@ -93,15 +90,6 @@ void TestHanging::whatIsOpenedNextIsHung() {
   };
   QVERIFY(QTest::qWaitFor(isHung, longest));
   QVERIFY(w.facesEachOther(4));
-}
-
-// The reader chose the grid by hand, so opening a study keeps it.
-void TestHanging::aGridThatWasChosenStays() {
-  const Mammograms data;
-  QVERIFY(data.write());
-  HangingWindow w;
-  QVERIFY(w.opensIntoAChosenGrid(data.folder.path()));
-  QCOMPARE(w.workspace().layout, Layout::two);
 }
 
 // The volume is not in memory when its study is opened.

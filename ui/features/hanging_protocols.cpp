@@ -1,17 +1,15 @@
 #include <QInputDialog>
 #include <QMenu>
 #include <algorithm>
-#include <set>
 
-#include "results/series/series_facts.h"
 #include "results/text/text.h"
 #include "ui/features/facing_views.h"
 #include "ui/features/feature.h"
 #include "ui/views/view_grid.h"
 #include "ui/widgets/listed_entries.h"
 #include "ui/workspace/edit_workspace.h"
+#include "ui/workspace/hanging_queue.h"
 #include "ui/workspace/own_protocols.h"
-#include "ui/workspace/patients.h"
 
 namespace volumen {
 
@@ -29,13 +27,11 @@ class HangingProtocols : public Feature {
   std::optional<PatientStudies> studies() const;
   std::vector<const HangingProtocol*> offered() const;
   std::string currentStudy() const;
-  void forgetLast();
+  std::string lastName() const;
   void step(int by);
-  void hang(const HangingProtocol& protocol);
+  void hang(const HangingProtocol& protocol, bool byItself = false);
   void await(const std::shared_ptr<const Study>& study, const OpenIntent& intent);
   void hangAwaited();
-  bool mayHang(const Series& opened) const;
-  void forgetClosed();
   void askName();
   void save(const QString& text);
   void tellProblems();
@@ -43,13 +39,8 @@ class HangingProtocols : public Feature {
   QMenu* menu_;
   ListedEntries listed_;  // the fitting protocols
   KnownProtocols known_ = knownProtocols();
-  std::string last_;                                   // name of the last protocol used
-  std::string lastStudy_;                              // UID of the study it was used for
-  std::set<std::string> hungByItself_;                 // UIDs of open studies hung automatically
-  std::vector<std::shared_ptr<const Study>> awaited_;  // opened studies to be hung once shown
-  std::shared_ptr<bool> openedTogether_;               // OpenIntent::isShown of the last opened study
+  HangingQueue queue_;
   FacingViews facing_;
-  std::optional<Layout> gridByItself_;  // layout of the last automatic hanging
 };
 
 HangingProtocols::HangingProtocols(Workbench& bench)
@@ -66,15 +57,13 @@ HangingProtocols::HangingProtocols(Workbench& bench)
             });
   // Waits until the study is on screen.
   connect(&session_, &Session::workspaceChanged, this, [this] {
-    if (!awaited_.empty())
+    if (!queue_.awaited.empty())
       QMetaObject::invokeMethod(this, &HangingProtocols::hangAwaited, Qt::QueuedConnection);
   });
-  connect(loader, &Loader::notLoaded, this, [this](const SeriesKey& key) {
-    std::erase_if(awaited_, [&](const auto& study) {
-      return std::ranges::any_of(study->volumes, [&](const Series& s) { return keyOf(s) == key; });
-    });
-  });
-  connect(&open_, &OpenStudies::changed, this, &HangingProtocols::forgetClosed);
+  connect(loader, &Loader::notLoaded, this,
+          [this](const SeriesKey& key) { queue_ = withoutSeries(std::move(queue_), key); });
+  connect(&open_, &OpenStudies::changed, this,
+          [this] { queue_ = withoutClosed(std::move(queue_), open_.pictures()); });
   tellProblems();
 }
 
@@ -125,21 +114,19 @@ std::string HangingProtocols::currentStudy() const {
   return around && !around->current.empty() ? around->current.front()->studyUid : std::string();
 }
 
-// Restarts the cycle of protocols if the study has changed.
-void HangingProtocols::forgetLast() {
-  if (currentStudy() != lastStudy_) last_.clear();
-}
+// Returns the name of the protocol used last for the current study; empty if there is none.
+std::string HangingProtocols::lastName() const { return lastNameFor(queue_.last, currentStudy()); }
 
 void HangingProtocols::fillMenu() {
-  forgetLast();
   QList<QAction*> entries;
   const std::vector<const HangingProtocol*> all = offered();
+  const std::string last = lastName();
   for (std::size_t n = 0; n < all.size(); ++n) {
     QString name = shownText(all[n]->name);
     auto* action = new QAction(name.replace(QLatin1Char('&'), QStringLiteral("&&")), menu_);
     action->setObjectName(QStringLiteral("protocol%1").arg(n));
     action->setCheckable(true);
-    action->setChecked(all[n]->name == last_);
+    action->setChecked(all[n]->name == last);
     connect(action, &QAction::triggered, this, [this, protocol = *all[n]] { hang(protocol); });
     entries << action;
   }
@@ -153,22 +140,15 @@ void HangingProtocols::fillMenu() {
 void HangingProtocols::step(int by) {
   const std::vector<const HangingProtocol*> all = offered();
   if (all.empty()) return warn(tr("No hanging protocol fits what is open."));
-  forgetLast();
-  const int count = int(all.size());
-  const auto isLast = [&](const HangingProtocol* p) { return p->name == last_; };
-  const auto last = std::ranges::find_if(all, isLast);
-  const int from = last != all.end() ? int(last - all.begin()) : by > 0 ? -1 : count;
-  const int next = (from + by + count) % count;
-  hang(*all[std::size_t(next)]);
-  tell(tr("%1 (protocol %2 of %3)").arg(shownText(all[std::size_t(next)]->name)).arg(next + 1).arg(count));
+  const std::size_t next = indexFrom(all, lastName(), by);
+  hang(*all[next]);
+  tell(tr("%1 (protocol %2 of %3)").arg(shownText(all[next]->name)).arg(next + 1).arg(all.size()));
 }
 
-void HangingProtocols::hang(const HangingProtocol& protocol) {
+void HangingProtocols::hang(const HangingProtocol& protocol, bool byItself) {
   const auto around = studies();
   if (!around) return;
-  last_ = protocol.name;
-  lastStudy_ = currentStudy();
-  gridByItself_.reset();
+  queue_ = withHung(std::move(queue_), protocol, currentStudy(), byItself);
   session_.endGesture();
   facing_.forget();
   session_.setFocus(mainFocusOf(session_.workspace()));
@@ -179,53 +159,19 @@ void HangingProtocols::hang(const HangingProtocol& protocol) {
   facing_.begin(protocol);
 }
 
-// Schedules automatic hanging of a study that was opened as a whole for the first time. Of several studies
-// opened together only one is hung.
+// Schedules automatic hanging of a study that was opened as a whole.
 void HangingProtocols::await(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
   if (intent.scene || !intent.seriesUid.empty()) return;
   if (intent.how == OpenHow::beside || intent.how == OpenHow::lookedInto) return;
-  if (intent.isShown && (!*intent.isShown || intent.isShown == openedTogether_)) return;
-  openedTogether_ = intent.isShown;
-  awaited_.push_back(study);
+  queue_ = withOpened(std::move(queue_), study, intent.isShown);
   QMetaObject::invokeMethod(this, &HangingProtocols::hangAwaited, Qt::QueuedConnection);
 }
 
 void HangingProtocols::hangAwaited() {
-  const Workspace& workspace = session_.workspace();
-  const Series* shown = seriesIn(workspace, workspace.focus);
-  if (!shown || shown->studyUid.empty()) return;
-  const auto isOfIt = [&](const SeriesIdentity& s) { return s.studyUid == shown->studyUid; };
-  const auto isShown = [&](const std::shared_ptr<const Study>& study) {
-    return std::ranges::any_of(study->volumes, isOfIt) || std::ranges::any_of(study->images, isOfIt);
-  };
-  if (std::erase_if(awaited_, isShown) == 0 || !mayHang(*shown)) return;
-  if (!hungByItself_.insert(shown->studyUid).second) return;
-  for (const HangingProtocol* protocol : offered())
-    if (protocol->automatic) {
-      hang(HangingProtocol(*protocol));
-      gridByItself_ = session_.workspace().layout;
-      return;
-    }
-}
-
-// Returns false if the layout was chosen for this patient or the study was opened in the second window.
-bool HangingProtocols::mayHang(const Series& opened) const {
-  const Workspace& workspace = session_.workspace();
-  if (isInSecond(workspace.focus)) return false;
-  if (!comparesSeries(workspace.layout) || gridByItself_ == workspace.layout) return true;
-  return std::ranges::any_of(patientsOnScreen(workspace),
-                             [&](const Series* other) { return !areOfOnePatient(*other, opened); });
-}
-
-// Forgets closed studies, so that they are hung again when reopened.
-void HangingProtocols::forgetClosed() {
-  std::set<std::string> open;
-  for (const Series* series : open_.pictures()) open.insert(series->studyUid);
-  std::erase_if(hungByItself_, [&](const std::string& uid) { return !open.contains(uid); });
-  const auto isOpen = [&](const SeriesIdentity& s) { return open.contains(s.studyUid); };
-  std::erase_if(awaited_, [&](const std::shared_ptr<const Study>& study) {
-    return std::ranges::none_of(study->volumes, isOpen) && std::ranges::none_of(study->images, isOpen);
-  });
+  const NextHanging next =
+      nextHanging(std::move(queue_), session_.workspace(), open_.pictures(), known_.protocols);
+  queue_ = next.queue;
+  if (next.protocol) hang(*next.protocol, true);
 }
 
 void HangingProtocols::askName() {
@@ -242,14 +188,12 @@ void HangingProtocols::askName() {
 void HangingProtocols::save(const QString& text) {
   const std::string name = shownText(text.toStdString()).trimmed().toStdString();
   if (name.empty()) return warn(tr("A hanging protocol needs a name."));
-  forgetLast();
-  const auto last = std::ranges::find(known_.protocols, last_, &HangingProtocol::name);
+  const auto last = std::ranges::find(known_.protocols, lastName(), &HangingProtocol::name);
   const HangingProtocol made = protocolOf(session_.workspace(), name, open_.pictures(),
                                           last == known_.protocols.end() ? nullptr : &*last);
   if (const Status saved = saveOwnProtocol(made); !saved) return warnUntilDone(shownText(saved.message()));
   known_ = knownProtocols();
-  last_ = name;
-  lastStudy_ = currentStudy();
+  queue_.last = {name, currentStudy()};
   tell(tr("Saved as hanging protocol %1").arg(shownText(name)));
 }
 
