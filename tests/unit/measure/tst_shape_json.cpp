@@ -11,6 +11,8 @@ class TestShapeJson : public QObject {
  private Q_SLOTS:
   void whatIsWrittenIsRead_data();
   void whatIsWrittenIsRead();
+  void theTextOfAShapeIsFixed_data();
+  void theTextOfAShapeIsFixed();
   void aListKeepsItsOrder();
   void anArrowHasNoNumber();
 };
@@ -43,6 +45,31 @@ void TestShapeJson::whatIsWrittenIsRead() {
   const auto again = shapesFromJson(named);
   QVERIFY2(again.ok(), again.ok() ? "" : again.message().c_str());
   QVERIFY(again->front() == shape);
+}
+
+void TestShapeJson::theTextOfAShapeIsFixed_data() {
+  QTest::addColumn<Shape>("shape");
+  QTest::addColumn<QString>("text");
+  const auto row = [](const char* name, const Shape& shape, const char* text) {
+    QTest::newRow(name) << shape << QStringLiteral("[{%1}]\n").arg(QLatin1String(text));
+  };
+  row("picked in 3D", {ShapeKind::length, "bone", {{0, 0.5, -1}, {1, 2, 3}}, {}, {}, {}, 0.25},
+      R"("kind":"length","name":"bone","points":[[0.0,0.5,-1.0],[1.0,2.0,3.0]],"softMm":0.25)");
+  row("on a plane", {ShapeKind::ellipse, "", {{0, 0, 0}, {4, 2, 0}}, ShapePlane{{1, 2, 3}}, {}, {}},
+      R"("kind":"ellipse","points":[[0.0,0.0,0.0],[4.0,2.0,0.0]],)"
+      R"("plane":{"centre":[1.0,2.0,3.0],"right":[1.0,0.0,0.0],"down":[0.0,1.0,0.0]})");
+  row("on a frame",
+      {ShapeKind::ellipse, "", {{0, 0, 0}, {4, 2, 0}}, ShapePlane{}, {}, ShapeFrame{"1.2.3", 7}},
+      R"("kind":"ellipse","frame":{"instance":"1.2.3","number":7},"points":[[0.0,0.0],[4.0,2.0]])");
+  row("of values", {ShapeKind::volume, "", {}, {}, {-std::numeric_limits<double>::infinity(), 300}, {}},
+      R"("kind":"volume","range":[null,300.0])");
+}
+
+void TestShapeJson::theTextOfAShapeIsFixed() {
+  QFETCH(Shape, shape);
+  QFETCH(QString, text);
+  QCOMPARE(QString::fromStdString(shapesToJson({shape})), text);
+  QVERIFY(*shapesFromJson(text.toStdString()) == std::vector{shape});
 }
 
 void TestShapeJson::aListKeepsItsOrder() {
