@@ -24,8 +24,8 @@ void apply(Session& session, const Step& step) {
 }
 
 // A session that shows a series.
-struct Opened : Session {
-  Opened() { show(tests::ballSeries()); }
+struct ShownBall : Session {
+  ShownBall() { show(tests::ballSeries()); }
 };
 
 }  // namespace
@@ -62,7 +62,7 @@ void TestSession::editsBecomeUndoSteps() {
   QFETCH(QStringList, keys);
   QFETCH(int, gestureEndsBefore);
   QFETCH(int, steps);
-  Opened session;
+  ShownBall session;
   const Scene start = session.scene();
   for (int n = 0; n < intensities.size(); ++n)
     apply(session, {intensities[n], keys[n].toLatin1().constData(), n == gestureEndsBefore});
@@ -73,7 +73,7 @@ void TestSession::editsBecomeUndoSteps() {
 }
 
 void TestSession::undoAndRedoRestoreTheScene() {
-  Opened session;
+  ShownBall session;
   std::vector<Scene> seen{session.scene()};
   for (double intensity : {2.0, 5.0, 0.5}) {
     apply(session, {intensity, ""});
@@ -90,7 +90,7 @@ void TestSession::undoAndRedoRestoreTheScene() {
 }
 
 void TestSession::everyChangeIsToldOnceWithBeforeAndAfter() {
-  Opened session;
+  ShownBall session;
   std::vector<std::pair<double, double>> told;
   connect(&session, &Session::changed, this, [&](const SessionState& before, const SessionState& after) {
     told.emplace_back(before.scene.lights[0].intensity, after.scene.lights[0].intensity);
@@ -103,7 +103,7 @@ void TestSession::everyChangeIsToldOnceWithBeforeAndAfter() {
 }
 
 void TestSession::goalsAreStepsBesideTheScene() {
-  Opened session;
+  ShownBall session;
   apply(session, {2, ""});
   QualityGoal goal;
   goal.aim = Aim::time;
@@ -122,7 +122,7 @@ void TestSession::goalsAreStepsBesideTheScene() {
 }
 
 void TestSession::anotherSeriesIsAStep() {
-  Opened session;
+  ShownBall session;
   apply(session, {2, ""});
   auto series = std::make_shared<LoadedSeries>(*tests::ballSeries());
   series->firstScene.shading.lit = false;
