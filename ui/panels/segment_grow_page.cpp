@@ -7,6 +7,7 @@
 #include "ui/controller/lesion.h"
 #include "ui/controller/segment_edits.h"
 #include "ui/panels/sources.h"
+#include "ui/panels/tool_button.h"
 #include "ui/widgets/plain_text.h"
 
 namespace volumen {
@@ -36,17 +37,17 @@ SegmentGrowPage::SegmentGrowPage(SegmentEditing& editing, QWidget* parent)
                                     "sides, at least 3 voxels"),
                                  {tr("about them"), tr("everywhere")});
   options.bind(preview_, {}, at(&SegmentOptions::previewsGrowth));
-  stack(
-      this,
-      {lineOf({buttonOf(QStringLiteral("segmentLesion")),
-               {options.bind(
-                    lesion, {},
-                    among(at(&SegmentOptions::lesionThreshold), {thresholds.begin(), thresholds.end()})),
-                1}}),
-       lineOf({buttonOf(QStringLiteral("segmentTrace")), buttonOf(QStringLiteral("segmentSmartBrush")), {}}),
-       lineOf({grow_, {options.bind(region, {}, ordinal(at(&SegmentOptions::growthRegion))), 1}}),
-       lineOf({preview_, {}}),
-       {}});
+  stack(this, {lineOf({new ToolButton(QStringLiteral("segmentLesion"), "lesion"),
+                       {options.bind(lesion, {},
+                                     among(at(&SegmentOptions::lesionThreshold),
+                                           {thresholds.begin(), thresholds.end()})),
+                        1}}),
+               lineOf({new ToolButton(QStringLiteral("segmentTrace"), "levelTrace"),
+                       new ToolButton(QStringLiteral("segmentSmartBrush"), "smartBrush"),
+                       {}}),
+               lineOf({grow_, {options.bind(region, {}, ordinal(at(&SegmentOptions::growthRegion))), 1}}),
+               lineOf({preview_, {}}),
+               {}});
   showSegments();
 }
 

@@ -9,8 +9,7 @@ class QPushButton;
 
 namespace volumen {
 
-/// Makes segments from small input: a sphere around a lesion, a contour at the level under the pointer, or
-/// seeds in several segments.
+/// Makes segments from small input: by tools that need one click or drag, or by growing from seeds.
 class SegmentGrowPage : public QWidget {
   Q_OBJECT
  public:

@@ -7,6 +7,7 @@
 #include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/panels/sources.h"
+#include "ui/panels/tool_button.h"
 #include "ui/widgets/plain_text.h"
 #include "viewer/segment/between_slices.h"
 
@@ -64,8 +65,8 @@ SegmentPaintPage::SegmentPaintPage(SegmentEditing& editing, QWidget* parent)
                    .isLive = true});
   stack(
       this,
-      {lineOf({buttonOf(QStringLiteral("segmentBrush")),
-               buttonOf(QStringLiteral("segmentOutline")),
+      {lineOf({new ToolButton(QStringLiteral("segmentBrush"), "paint"),
+               new ToolButton(QStringLiteral("segmentOutline"), "outline"),
                flag({QStringLiteral("paintErases"), tr("Erase"),
                      tr("What is painted is erased; with Ctrl held too.")},
                     &SegmentOptions::erases),
@@ -77,7 +78,7 @@ SegmentPaintPage::SegmentPaintPage(SegmentEditing& editing, QWidget* parent)
                     &SegmentOptions::paintsInRange),
                {}}),
        lineOf({{options.bind(beside, {}, ordinal(at(&SegmentOptions::beside))), 1}, {other_, 1}}),
-       lineOf({buttonOf(QStringLiteral("segmentCut")),
+       lineOf({new ToolButton(QStringLiteral("segmentCut"), "segmentScissors"),
                {options.bind(cutMm, {}, at(&SegmentOptions::cutWithinMm)), 1},
                fill_}),
        {}});

@@ -15,6 +15,7 @@
 #include "ui/controller/segment_parts.h"
 #include "ui/controller/segment_target.h"
 #include "ui/panels/sources.h"
+#include "ui/panels/tool_button.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/curve_spans.h"
 #include "ui/workspace/series_segments.h"
@@ -62,7 +63,7 @@ std::vector<LayoutPart> partLines(const Source<SegmentOptions>& options) {
                       "edge too (18), a "
                       "corner too (26).")},
                   texts);
-  return {lineOf({buttonOf(QStringLiteral("segmentPart")),
+  return {lineOf({new ToolButton(QStringLiteral("segmentPart"), "part"),
                   {options.bind(use, {}, ordinal(at(&SegmentOptions::partUse))), 1}}),
           lineOf({tr("Leak guard"),
                   options.bind(guard, {}, at(&SegmentOptions::leakGuardMm)),

@@ -9,7 +9,7 @@
 #include "results/text/text.h"
 #include "results/text/value_text.h"
 #include "ui/controller/segment_target.h"
-#include "ui/tools/tool.h"
+#include "ui/panels/tool_button.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/plain_text.h"
 #include "ui/workspace/series_segments.h"
@@ -124,18 +124,7 @@ void SegmentsPanel::fillRecipes() {
 }
 
 void SegmentsPanel::setToolActions(const std::map<const Tool*, QAction*>& actions) {
-  const std::pair<QString, const char*> table[] = {{QStringLiteral("segmentPart"), "part"},
-                                                   {QStringLiteral("segmentBrush"), "paint"},
-                                                   {QStringLiteral("segmentOutline"), "outline"},
-                                                   {QStringLiteral("segmentCut"), "segmentScissors"},
-                                                   {QStringLiteral("segmentLesion"), "lesion"},
-                                                   {QStringLiteral("segmentTrace"), "levelTrace"},
-                                                   {QStringLiteral("segmentSmartBrush"), "smartBrush"}};
-  for (const auto& [name, tool] : table) {
-    auto* button = findChild<QToolButton*>(name);
-    button->setToolButtonStyle(Qt::ToolButtonTextOnly);
-    button->setDefaultAction(actions.at(&toolNamed(tool)));
-  }
+  for (auto* button : findChildren<ToolButton*>()) button->setDefaultAction(actions.at(&button->tool));
 }
 
 void SegmentsPanel::setExportAction(QAction* action) {
