@@ -124,7 +124,8 @@ std::span<const StepKind> offeredSteps() {
   static const std::vector<StepKind> all = [] {
     std::vector<StepKind> rows = severalSteps();
     std::ranges::copy_if(stepKinds(), std::back_inserter(rows), isOffered);
-    std::ranges::stable_partition(rows, [](const StepKind& k) { return k.use != StepKind::Use::makes; });
+    std::stable_partition(rows.begin(), rows.end(),
+                          [](const StepKind& k) { return k.use != StepKind::Use::makes; });
     return rows;
   }();
   return all;

@@ -53,7 +53,8 @@ SegmentRays::SegmentRays(const Plan& plan, const VoxelGeometry& geometry,
     segments_.push_back(std::move(s));
     searched_.push_back(int(n));
   }
-  std::ranges::stable_partition(searched_, [&](int n) { return segments_[std::size_t(n)].opacity == 1; });
+  std::stable_partition(searched_.begin(), searched_.end(),
+                        [&](int n) { return segments_[std::size_t(n)].opacity == 1; });
 }
 
 // Finds them from the corners of the box around its cells, with a margin of a pixel.
