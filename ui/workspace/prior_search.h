@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// A listed study that may hold a prior.
+/// A study that a source lists. It may hold the prior that is searched for.
 struct PriorCandidate {
   int source = 0;  ///< number of the source that lists it
   IndexedStudy study{};

@@ -32,7 +32,7 @@ class FieldsWith : public JsonFields {
     else if (auto inside = object(name))
       whole(std::move(*inside), [&](FieldsWith& f) { fields(f, value); });
   }
-  /// Null stands for an empty value.
+  /// Writes an empty value as null, and reads null as one.
   template <class T, class... How>
   void operator()(const char* name, std::optional<T>& value, const How&... how) {
     if (!value) write(name, nullptr);
@@ -49,7 +49,7 @@ class FieldsWith : public JsonFields {
   void operator()(const char* name, std::vector<T>& items, const T& first = T()) {
     list(name, items, first, [](FieldsWith& f, T& item) { fields(f, item); });
   }
-  /// Does the same; `fieldsOf(f, item)` names the fields of an element.
+  /// Reads or writes such a list. `fieldsOf(f, item)` reads or writes the fields of one element.
   template <class T, class FieldsOf>
   void list(const char* name, std::vector<T>& items, const T& first, FieldsOf fieldsOf) {
     const nlohmann::json* const read = find(name, Kind::list);
@@ -71,7 +71,7 @@ class FieldsWith : public JsonFields {
   void unlessNone(const char* name, std::optional<T>& value, const How&... how) {
     if (!reading() || given(name)) held(name, value, how...);
   }
-  /// Does the same, but refuses null.
+  /// Leaves out an empty value as unlessNone() does, but refuses a field that is null.
   template <class T, class... How>
   void unlessMissing(const char* name, std::optional<T>& value, const How&... how) {
     if (!reading() || raw(name)) held(name, value, how...);
@@ -111,7 +111,7 @@ class FieldsWith : public JsonFields {
 struct NoContext {};
 using Fields = FieldsWith<NoContext>;
 
-/// Returns the JSON of a struct, by its list of fields.
+/// Returns a struct as JSON. Its function fields() says which fields are written.
 template <class T>
 JsonFields::Json jsonOf(T value) {
   JsonFields::Json out;

@@ -141,7 +141,7 @@ static void fields(Fields& f, Scene& scene) {
 namespace {
 
 // Scene files are read and edited by people, so the layout is fixed: one line per point, light or plane.
-// `column` is where the line of the field `name` begins.
+// The line that holds the field `name` is indented by `column` spaces.
 std::string laidOut(const std::string& name, const SceneText& value, std::size_t column) {
   if (value.is_number_float()) return numberText(value.get<double>());
   if (!value.is_structured()) return value.dump();

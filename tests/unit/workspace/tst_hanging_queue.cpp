@@ -32,7 +32,7 @@ Series seriesOf(int number, const char* modality = "MR", const char* patient = "
   return series;
 }
 
-// A screen, the open studies and what is hung.
+// Holds what the events of a row change: the views on screen, the open series and the queue.
 struct Hanging {
   Workspace workspace{};
   std::vector<Series> open{};

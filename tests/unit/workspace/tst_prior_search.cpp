@@ -45,7 +45,7 @@ Series headOf(const char* day, const char* part = "HEAD") {
   return madeFor({"MR", "T2 head", part, "", "", day}, 1);
 }
 
-// A reader's screen and the search. The series of today is shown.
+// Holds what the acts of a row change. At first the series of today is open and shown.
 struct Desk {
   std::vector<Series> open{headOf(now)};
   Workspace workspace = withSeries(withLayout({}, Layout::two), firstComparedId, open[0], {});
