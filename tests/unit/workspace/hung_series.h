@@ -33,6 +33,12 @@ inline Series madeFor(const HangSeries& s, int number) {
   return series;
 }
 
+inline std::vector<const Series*> pointersTo(const std::vector<Series>& series) {
+  std::vector<const Series*> all;
+  for (const Series& s : series) all.push_back(&s);
+  return all;
+}
+
 struct OpenPictures {
   std::vector<Series> series;
 
@@ -58,11 +64,7 @@ struct OpenPictures {
     }
     return open;
   }
-  std::vector<const Series*> pictures() const {
-    std::vector<const Series*> all;
-    for (const Series& s : series) all.push_back(&s);
-    return all;
-  }
+  std::vector<const Series*> pictures() const { return pointersTo(series); }
   PatientStudies studies(std::size_t current = 0) const { return studiesAround(pictures(), series[current]); }
 };
 

@@ -38,11 +38,7 @@ struct Hanging {
   std::vector<Series> open{};
   HangingQueue queue{};
 
-  std::vector<const Series*> pictures() const {
-    std::vector<const Series*> all;
-    for (const Series& series : open) all.push_back(&series);
-    return all;
-  }
+  std::vector<const Series*> pictures() const { return pointersTo(open); }
 };
 
 // Something that happens. Returns the name of the protocol that is hung, if one is asked for.

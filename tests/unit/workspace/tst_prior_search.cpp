@@ -52,11 +52,7 @@ struct Desk {
   int sources = 1;
   PriorSearch search{};
 
-  std::vector<const Series*> pictures() const {
-    std::vector<const Series*> all;
-    for (const Series& series : open) all.push_back(&series);
-    return all;
-  }
+  std::vector<const Series*> pictures() const { return pointersTo(open); }
   void show(const Series& series, int cell) {
     workspace = withSeries(workspace, firstComparedId + cell, series, {});
   }
