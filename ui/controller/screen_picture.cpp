@@ -29,7 +29,7 @@ PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& ge
   view.options.size = {draft.size.width(), draft.size.height()};
   view.options.quality = pass.quality;
   view.options.step = pass.step;
-  // A tolerance excludes plain steps, which have no error estimate; this is the tolerance of the level.
+  // A tolerance excludes plain steps, most of which have no error estimate; this is that of the level.
   const bool canTell = request.scene.mode == Mode::composite && request.resampler == Resampler::cpu;
   if (request.withError && canTell && pass.factor == 1 && !pass.step)
     view.options.tolerance = levelOf(pass.quality).rayBudget / 255;

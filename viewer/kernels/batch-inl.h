@@ -6,10 +6,13 @@
 #define VOLUMEN_KERNELS_BATCH_INL_H_
 #endif
 
+#include <cmath>
 #include <utility>
+#include <vector>
 
 #include "viewer/kernels/cells-inl.h"
 #include "viewer/kernels/sample_arrays-inl.h"
+#include "viewer/kernels/step_list-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
@@ -18,7 +21,7 @@ namespace volumen::HWY_NAMESPACE {
 /// Passes over a batch: density and gradient together, opacity and light of the samples that can be seen,
 /// then compositing per ray. The voxels of the next batch are prefetched while one batch is computed. Samples
 /// are computed and added to their rays exactly as in DenseTracer, so both give the same bytes.
-template <class Store, bool kIsLit, bool kGradientOpacity>
+template <class Store, bool kIsLit, bool kGradientOpacity, bool kNested = false>
 class BatchTracer {
   using Material = ClassifyAndLight<kIsLit, kGradientOpacity>;
 
@@ -37,7 +40,12 @@ class BatchTracer {
         rays_(rays),
         material_{f, rays.viewerX.data(), rays.viewerY.data(), rays.viewerZ.data()},
         out_(out),
-        counts_(counts) {}
+        counts_(counts),
+        coarseValues_(kNested ? 4 * rays.steps.size() : 0) {
+    const std::size_t n = coarseValues_.size() / 4;
+    float* values = coarseValues_.data();
+    coarse_ = {values, values + n, values + 2 * n, values + 3 * n};
+  }
 
   /// Advances the open packet at ray `first` through the steps that `bits` names: bit n stands for `step` +
   /// n.
@@ -61,7 +69,13 @@ class BatchTracer {
     Draw(*batch_);
     Draw(*next_);
   }
-  void Finish() {}
+  void Finish() {
+    if constexpr (kNested)
+      for (std::size_t n = 0; n < rays_.steps.size(); ++n)
+        out_.error[n] =
+            std::max({std::abs(out_.red[n] - coarse_.red[n]), std::abs(out_.green[n] - coarse_.green[n]),
+                      std::abs(out_.blue[n] - coarse_.blue[n]), std::abs(out_.alpha[n] - coarse_.alpha[n])});
+  }
 
  private:
   static constexpr int kFull = 8 * kLanes;
@@ -70,31 +84,15 @@ class BatchTracer {
   static constexpr bool kRays = Material::kLit;  ///< Lighting may need the ray of each sample.
 
   static constexpr int kMost = kFull + (kGroupSteps + 1) * kLanes, kMostSteps = kFull + kGroupSteps;
-  /// Samples, and the packet and step that each group of them belongs to.
-  struct Batch : SampleArrays<kMost> {
+  /// Samples, and the steps they belong to.
+  struct Batch : SampleArrays<kMost>, StepList<kMost, kMostSteps> {
     HWY_ALIGN std::int32_t ray[kRays ? kMost : 1];
-    struct Step {
-      int first;           ///< First ray of the packet.
-      std::uint32_t rays;  ///< The rays of the packet that have a sample at this step, as bits.
-    };
-    Step steps[kMostSteps];
-    int stepCount = 0;
-    int noted = 0;  ///< Number of samples before invisible ones are removed.
-    /// Mask of the visible ones among the `noted` samples, one vector per entry.
-    std::uint32_t seen[kMost / kLanes + 1];
-
     /// Fills the last vector with samples of length 0.
     HWY_INLINE void Pad() {
       const int end = this->size;
       for (float* values : {this->x, this->y, this->z, this->unitDistances})
         hn::StoreU(hn::Zero(DF()), DF(), values + end);
       if constexpr (kRays) hn::StoreU(hn::Zero(DI()), DI(), ray + end);
-    }
-
-    /// Returns one vector's worth of the bits in `seen`, with the bit of sample n lowest.
-    HWY_INLINE std::uint32_t SeenFrom(int n) const {
-      const std::uint64_t next = seen[n / kLanes + 1];
-      return std::uint32_t((seen[n / kLanes] | next << kLanes) >> n % kLanes);
     }
   };
 
@@ -125,7 +123,7 @@ class BatchTracer {
       const int k = int(hwy::Num0BitsBelowLS1Bit_Nonzero64(visible));
       const VF n = SampleAt(p, step + k);
       const MF has = MaskOf(masks[k]);
-      s.steps[s.stepCount++] = {first, masks[k]};
+      s.steps[s.stepCount++] = {first, step + k, masks[k]};
       const VF unitDistances =
           kGoOn ? p.unitDistances : hn::IfThenElse(IsLast(p, n), p.lastUnitDistances, p.unitDistances);
       Append(unitDistances, has, s.unitDistances + s.size);
@@ -139,16 +137,7 @@ class BatchTracer {
   HWY_INLINE void Locate(Batch& s) {
     s.noted = s.size;
     s.Pad();
-    const DF df;
-    for (int n = 0; n < s.size; n += kLanes) {
-      const Cell c = grid_.CellAt(grid_.Clamped(PlaceOf(s, n)));
-      hn::Store(c.index, DI(), s.index + n);
-      hn::Store(c.fx, df, s.x + n);
-      hn::Store(c.fy, df, s.y + n);
-      hn::Store(c.fz, df, s.z + n);
-      // Prefetches every fourth cell: the cells between are neighbours, mostly in the same cache lines.
-      Store::template Prefetch<Material::kGradients>(grid_, s.index + n, kLanes, 4);
-    }
+    LocateSamples<Store, Material::kGradients>(grid_, s);
   }
 
   HWY_INLINE void Draw(Batch& s) {
@@ -164,7 +153,7 @@ class BatchTracer {
       else
         return hn::Zero(DI());
     });
-    Composite(s);
+    CompositeSteps<kNested>(f_, s, s, s.unitDistances, out_, coarse_, counts_);
     if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
     s.size = s.noted = s.stepCount = 0;
   }
@@ -194,43 +183,14 @@ class BatchTracer {
     hn::StoreU(hn::Zero(df), df, s.unitDistances + kept);
   }
 
-  /// Composites front to back (paper 3.1).
-  HWY_INLINE void Composite(Batch& s) {
-    const DF df;
-    const VF opaque = Set(1 - f_.stopTransmittance);
-    int at = 0, noted = 0;
-    for (int k = 0; k < s.stepCount;) {
-      const int first = s.steps[k].first;
-      VF red = hn::LoadU(df, out_.red + first), green = hn::LoadU(df, out_.green + first),
-         blue = hn::LoadU(df, out_.blue + first), alpha = hn::LoadU(df, out_.alpha + first);
-      for (; k < s.stepCount && s.steps[k].first == first; ++k) {
-        const std::uint32_t rays = s.steps[k].rays, seen = Deposited(s.SeenFrom(noted), rays);
-        noted += int(hwy::PopCount(rays));
-        if (!seen) continue;
-        const MF has = MaskOf(seen);
-        const auto expanded = [&](const float* v) { return Expanded(hn::LoadU(df, v + at), has); };
-        const VF opacity = hn::IfThenElseZero(hn::Le(alpha, opaque), expanded(s.unitDistances));
-        const VF weight = hn::Mul(hn::Sub(Set(1), alpha), opacity);
-        red = hn::Add(red, hn::Mul(expanded(s.x), weight));
-        green = hn::Add(green, hn::Mul(expanded(s.y), weight));
-        blue = hn::Add(blue, hn::Mul(expanded(s.z), weight));
-        alpha = hn::Add(alpha, weight);
-        counts_.composited += std::int64_t(hn::CountTrue(df, hn::Gt(weight, hn::Zero(df))));
-        at += int(hwy::PopCount(seen));
-      }
-      hn::StoreU(red, df, out_.red + first);
-      hn::StoreU(green, df, out_.green + first);
-      hn::StoreU(blue, df, out_.blue + first);
-      hn::StoreU(alpha, df, out_.alpha + first);
-    }
-  }
-
   const RayInputs& f_;
   const Grid grid_;
   const RayRow& rays_;
   Material material_;
   const TraceRow& out_;
   TraceCounts& counts_;
+  std::vector<float> coarseValues_;
+  TraceRow coarse_{};  ///< Results of steps of twice the length.
   Batch batches_[2];
   Batch *batch_ = &batches_[0], *next_ = &batches_[1];
   unsigned timed_ = 0;

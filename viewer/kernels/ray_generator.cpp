@@ -96,11 +96,18 @@ void RayGenerator::makeTiles(const std::vector<glm::ivec2>& corners, RayRow& row
   makeRays_(view_, ahead_, nullptr, row);
 }
 
-void RayGenerator::makeParts(const RayParts& parts, RayRow& row) const {
-  std::vector<int> pixels = std::move(row.pixel);
+void RayGenerator::make(std::vector<int> pixels, const RayParts* parts, RayRow& row) const {
   resize(row, int(pixels.size()));
   row.pixel = std::move(pixels);
-  makeRays_(view_, ahead_, &parts, row);
+  makeRays_(view_, ahead_, parts, row);
+}
+
+void RayGenerator::makePixels(std::vector<int> pixels, RayRow& row) const {
+  make(std::move(pixels), nullptr, row);
+}
+
+void RayGenerator::makeParts(const RayParts& parts, RayRow& row) const {
+  make(std::move(row.pixel), &parts, row);
 }
 
 }  // namespace volumen

@@ -42,6 +42,8 @@ class RayGenerator {
   void makeBlock(int x, int y, RayRow& row) const;
   /// Fills `row` with the rays of single tiles. `corners`: their first pixels.
   void makeTiles(const std::vector<glm::ivec2>& corners, RayRow& row) const;
+  /// Fills `row` with the rays of `pixels`, 16 per tile; -1 for no ray.
+  void makePixels(std::vector<int> pixels, RayRow& row) const;
   /// Shortens rays made by makeBlock to `parts`. row.pixel: 16 rays per tile, -1 for no ray.
   void makeParts(const RayParts& parts, RayRow& row) const;
   /// Fills `row` with the rays of `count` pixels of picture row y, from pixel x on.
@@ -49,6 +51,7 @@ class RayGenerator {
 
  private:
   static void resize(RayRow& row, int count);
+  void make(std::vector<int> pixels, const RayParts* parts, RayRow& row) const;
 
   ViewRays view_;
   VoxelGeometry geometry_;

@@ -323,7 +323,7 @@ struct Float32Store {
     return {Density(grid, c), Gradient(grid, c)};
   }
   template <bool>
-  static HWY_INLINE void Prefetch(const Grid&, const std::int32_t*, int) {}
+  static HWY_INLINE void Prefetch(const Grid&, const std::int32_t*, int, int = 1) {}
   template <bool kGradients>
   static HWY_INLINE void PrefetchBox(const Grid& grid, glm::vec3 low, glm::vec3 high) {
     grid.Prefetch(grid.inputs().density32, 1, low, high);

@@ -13,8 +13,14 @@
 HWY_BEFORE_NAMESPACE();
 namespace volumen::HWY_NAMESPACE {
 
+/// True for the stores that hold volumes without loss.
+template <class Store>
+constexpr bool kIsWhole = std::is_same_v<Store, Int16Store> || std::is_same_v<Store, Float32Store>;
+
 template <class Store, bool kIsLit, bool kGradientOpacity>
 TraceKernel ChooseSamples(Sampling sampling) {
+  if constexpr (kIsWhole<Store>)
+    if (sampling == Sampling::nested) return TraceRays<BatchTracer<Store, kIsLit, kGradientOpacity, true>>;
   if constexpr (!std::is_void_v<Store>) {
     const bool few = sampling == Sampling::visibleCells;
     if constexpr (Store::kWhereFew == WhereFew::batches) {

@@ -91,7 +91,8 @@ struct PlaneBuffer {
 /// Results of one row of rays: premultiplied colour and alpha, one entry per ray (padded as the rays are).
 struct TraceRow {
   float *red, *green, *blue, *alpha;
-  /// Bound on the error of colours and alpha, in shares of white. Set by kernels that go cell by cell.
+  /// In shares of white: a bound on the error of colours and alpha by kernels that go cell by cell, the
+  /// change from steps of twice the length by nested ones. Others leave it as it is.
   float* error = nullptr;
   /// Last visible step of each ray. Rays from the front write it, slices from the back start at it. Null:
   /// unused.

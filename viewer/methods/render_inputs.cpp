@@ -127,9 +127,8 @@ double RenderInputs::largestRounded(const Plan& plan, ValueRange range) const {
 }
 
 void RenderInputs::readBlocks(const Plan& plan, int reach, RenderCaches& caches, RenderStats& stats) {
-  // Kernels that take passages test cells even if no blocks are skipped.
   const bool asksCells = key_.sampling != Sampling::dense;
-  if (plan.skipBlocks || key_.sampling == Sampling::passages) {
+  if (plan.skipBlocks || asksCells) {
     const auto& skip =
         caches.impl().skipOf(transfer_, curve_, {transfer_.points, reach, rounding_, densities_, asksCells});
     stats.blockBytes = skip.bytes();

@@ -19,6 +19,7 @@ struct RenderStats {
   double pilotMs = 0;     ///< Time of the pilot, for choices that the plan left open.
   double glMs = 0;        ///< Time of OpenGL itself. It overlaps with shadeMs if glMs + shadeMs > totalMs.
   std::int64_t resampled = 0, shaded = 0, composited = 0;  ///< Numbers of samples.
+  std::int64_t redone = 0;  ///< Number of rays redone cell by cell (Plan::redoneAbove).
   std::size_t densityBytes = 0, gradientBytes = 0, blockBytes = 0, tableBytes = 0;
   int threads = 1;
   std::string kernel;  ///< E.g. "AVX3_ZEN4", "reference", "llvmpipe (LLVM 15.0.6, 256 bits)".
@@ -26,8 +27,9 @@ struct RenderStats {
 
 struct Rendered {
   Picture picture;
-  /// Bound on the error of each pixel (of its largest component, in 1/255): the sum over the parts of its
-  /// ray. One entry per pixel. Empty if the drawing method provides none.
+  /// Estimated error of each pixel (of its largest component, in 1/255). Cell by cell it is a bound: the sum
+  /// over the parts of its ray. For plain steps that a pilot accepted it is a prediction, which a few pixels
+  /// exceed (PilotFinding::errorScale). Empty if the picture tells none.
   std::vector<float> error;
   RenderStats stats;
   Plan plan;  ///< The plan as drawn, with nothing left open.

@@ -16,7 +16,8 @@ RowPainter::RowPainter(const Plan& plan, const RenderInputs& inputs, Picture& pi
   else
     project_ = chooseProjectKernel(inputs.key().store, plan.scene.mode, plan.cellByCell);
   preparePicture(plan, picture);
-  if (inputs.key().sampling == Sampling::passages) error.assign(picture.rgba.size() / 4, 0.0f);
+  if (inputs.key().sampling == Sampling::passages || (plan.pilot && plan.pilot->kept))
+    error.assign(picture.rgba.size() / 4, 0.0f);
 }
 
 void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const {
@@ -56,8 +57,10 @@ void RowPainter::writeError(const RayRow& rays, const TraceRow& row) const {
   for (std::size_t ray = 0; ray < rays.pixel.size(); ++ray) {
     if (rays.pixel[ray] < 0) continue;
     const float left = 1 - row.alpha[ray], unseen = left < stop ? left * inputs_.brightest() : 0.0f;
+    // Steps may miss what a ray passes; from cell to cell it misses nothing.
+    const bool isRounded = plan_.cellByCell ? row.alpha[ray] > 0 : rays.steps[ray] > 0;
     error_[std::size_t(rays.pixel[ray])] =
-        std::min(255.0f, 255 * (row.error[ray] + unseen) + (row.alpha[ray] > 0 ? roundingOf255 : 0.0f));
+        std::min(255.0f, 255 * (row.error[ray] + unseen) + (isRounded ? roundingOf255 : 0.0f));
   }
 }
 

@@ -98,17 +98,24 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
 double mostMissed(Quality quality) { return quality == Quality::standard ? 0.25 : 0.08; }
 
 // Returns a step near the typical result for bone in CT at `standard`, so that a second try is seldom far
-// off. It must not be a simple fraction of a voxel.
-double firstStep(Quality quality) { return quality == Quality::standard ? 0.5607 : 0.2764; }
+// off; for thin matter a longer one. It must not be a simple fraction of a voxel.
+double firstStep(Quality quality, bool canHide) {
+  if (quality == Quality::standard) return canHide ? 0.4198 : 0.7236;
+  return canHide ? 0.2165 : 0.3052;
+}
 
-// Returns the steps for a pilot, without `shortest`, if rays it misses cannot be far off: thin plates hide
-// what lies behind them.
+// Returns Plan::redoneAbove of a level: four times its promise for 99 % of pixels.
+double redoneAbove(Quality quality) { return 4 * promiseOf(quality).most99 / 255; }
+
+// Returns the steps for a pilot, without `shortest`. Where thin plates hide what lies behind them, rays that
+// it misses may be far off: rays that look wrong are redone.
 std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
   if (!canIntegrate(in.scene, in.options) || in.facts.gradientBounds.empty()) return {};
   const TransferFunction& curve = in.scene.transferFunction;
   if (isSharp(curve, (in.facts.p999 - in.facts.p01) / 50)) return {};
-  if (mostOfVoxel(in, steepnessOf(curve, in.facts)) > mostMissed(in.options.quality)) return {};
-  return PilotSteps{0, firstStep(in.options.quality)};
+  const Quality quality = in.options.quality;
+  const bool canHide = mostOfVoxel(in, steepnessOf(curve, in.facts)) > mostMissed(quality);
+  return PilotSteps{0, firstStep(quality, canHide), canHide ? redoneAbove(quality) : 0};
 }
 
 // True for projections by planes on the CPU, the only ones that follow rays through cells.
@@ -118,6 +125,12 @@ bool goesFromCellToCell(const RuleInput& in) {
 
 Effect plainSteps(const Plan& plan, const std::string& why) {
   return on("plain steps of " + inVoxels(plan.stepVoxels) + why);
+}
+
+std::string redoneText(const Plan& plan) {
+  if (plan.redoneAbove == 0) return {};
+  return ", rays that every other step alone would change by more than " +
+         inDigits(255 * plan.redoneAbove, 3) + "/255 cell by cell";
 }
 
 // Decides for paths that can go from cell to cell; `tried` tells of steps that a pilot rejected.
@@ -175,7 +188,7 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
   // ends of strips.
   if (double(o.size.x) * o.size.y < 384.0 * 384 || std::min(o.size.x, o.size.y) < 128) return {};
   auto steps = stepsOfMatter(in);
-  if (!steps) return {};
+  if (!steps || (steps->redoneAbove > 0 && !plan.cellByCell)) return {};
   Plan plain = plan;
   plain.stepVoxels = steps->first;
   plain.cellByCell = false;
@@ -200,7 +213,8 @@ Effect decideIntegration(const RuleInput& in, Plan& plan) {
   }
   if (in.pilot && in.pilot->kept) {
     plan.stepVoxels = in.pilot->stepVoxels;
-    return plainSteps(plan, ": " + toldBy(*in.pilot));
+    plan.redoneAbove = in.pilot->redoneAbove;
+    return plainSteps(plan, redoneText(plan) + ": " + toldBy(*in.pilot));
   }
   const std::string tried =
       in.pilot ? "; not plain steps of " + inVoxels(in.pilot->stepVoxels) + ", as " + toldBy(*in.pilot) : "";

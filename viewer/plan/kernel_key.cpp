@@ -14,6 +14,7 @@ Store storeOf(const Plan& plan) {
 
 Sampling samplingOf(const Plan& plan) {
   if (plan.cellByCell) return Sampling::passages;
+  if (plan.redoneAbove > 0) return Sampling::nested;
   return plan.skipCells ? Sampling::visibleCells : Sampling::dense;
 }
 

@@ -13,6 +13,7 @@ enum class Store { int16, float32, byte1, byte4, plane };
 enum class Sampling {
   dense,         ///< Plain steps, density and gradient at each
   visibleCells,  ///< Plain steps, only in cells that can show something; the same bytes
+  nested,        ///< The same, compared with every other step; only for int16 and float32
   passages       ///< Cell by cell: integrated to an ErrorBudget, or exactly in a projection
 };
 

@@ -108,8 +108,9 @@ std::string estimateText(const Plan& plan, const PictureError& e) {
   const std::string without = notEstimated(plan), but = without.empty() ? "" : "; without that of " + without;
   if (isRoundingAlone(e)) return "none but the rounding of floats" + but;
   const std::string most99 = e.percentile99 > 0 ? atMost(e.percentile99) : "0/255";
-  return "at most " + atMost(e.maximum) + ", 99th percentile " + most99 + ", PSNR at least " +
-         inDigits(std::floor(e.psnrDb), 3) + " dB" + but;
+  const bool isBound = !plan.pilot || !plan.pilot->kept;
+  return (isBound ? "at most " : "predicted by rays of the picture, no bound: at most ") + atMost(e.maximum) +
+         ", 99th percentile " + most99 + ", PSNR at least " + inDigits(std::floor(e.psnrDb), 3) + " dB" + but;
 }
 
 std::string whyNoEstimate(const Plan& plan) {

@@ -24,19 +24,27 @@ struct Effect {
 
 /// Plain step lengths that a pilot may choose from, voxels.
 struct PilotSteps {
-  double shortest = 0;  ///< Length below which steps take longer than the plan without plain steps
-  double first = 0;     ///< First length to try
+  double shortest = 0;     ///< Length below which steps take longer than the plan without plain steps
+  double first = 0;        ///< First length to try
+  double redoneAbove = 0;  ///< Plan::redoneAbove of a plan with such steps
   bool operator==(const PilotSteps&) const = default;
 };
 
-/// Result of a pilot: some thousand rays of a picture, followed both by plain steps and cell by cell, to
-/// judge those steps (completedPlan).
+/// Result of a pilot: some hundred rays of a picture, or thousands, followed both by plain steps and cell by
+/// cell, to judge those steps (completedPlan).
 struct PilotFinding {
   double stepVoxels = 1;
   bool kept = false;        ///< True if the steps keep the level's promise and are used
   int rays = 0;             ///< Rays that show anything
   double psnrDb = 0;        ///< Lower bound over everything shown, as in PictureError
   double percentile99 = 0;  ///< Upper bound over everything shown
+  double redoneAbove = 0;   ///< Plan::redoneAbove
+  double redoneShare = 0;   ///< Fraction of the rays that show anything and are redone
+  /// Predicted error of a pixel that is not redone, relative to leastChange plus the change from steps of
+  /// twice the length (nested steps; 0 for others). Larger than that of any ray of the pilot, in the manner
+  /// of split conformal prediction (Papadopoulos 2002).
+  double errorScale = 0;
+  static constexpr double leastChange = 0.5;  ///< 1/255
   bool operator==(const PilotFinding&) const = default;
 };
 
@@ -57,6 +65,9 @@ struct Plan {
   double stepVoxels = 1;    ///< Step length (picture.md 9)
   bool cellByCell = false;  ///< True if rays go from cell to cell of the grid, false for plain steps
   double errorBudget = 1;   ///< Cell by cell: error of a ray as a fraction of white (ErrorBudget)
+  /// Plain steps: rays are redone cell by cell if every other step alone would change them by more than this
+  /// fraction of white. 0: none are.
+  double redoneAbove = 0;
   /// Choice left to a pilot (completedPlan): whether plain steps, and of what length, keep the level's
   /// promise and replace the integration.
   std::optional<PilotSteps> pilotSteps;

@@ -259,6 +259,7 @@ Effect emptyCells(const RuleInput& in, Plan& plan) {
   plan.skipCells = false;
   if (!composite(in)) return off("a projection of values has no opacity");
   if (plan.cellByCell) return off("rays that go from cell to cell ask each of them anyway");
+  if (plan.redoneAbove > 0) return off("steps of two lengths are compared only in cells that show anyway");
   if (plan.method != Method::planes || plan.resampler != Resampler::cpu)
     return off("there is no kernel that asks single cells");
   if (in.options.full) return off("asked for in full");

@@ -46,21 +46,21 @@ PilotErrors::Bounds PilotErrors::likely() const {
   return {all > 0 ? std::sqrt(squares / all) : 0, percentile99(0)};
 }
 
-PilotErrors::Bounds PilotErrors::worst() const {
+PilotErrors::Bounds PilotErrors::worst(const Missed& missed) const {
   // Missing all of a set of tiles whose probabilities sum to three has a chance of one in twenty (e^-3).
-  // Missed tiles are assumed to be twice as wrong as the worst one found, weighted by probability, which
-  // grows with the possible error.
-  constexpr double missed = 3, asWrong = 2, deviations = 2;
-  double squares = 0, variance = 0, most = 0;
+  // The worst one found is weighted by its probability, which grows with the possible error.
+  constexpr double chances = 3, deviations = 2, pixelsOfTile = 16;
+  const double all = pixelsInAll();
+  double squares = 0, variance = 0;
+  double most = rays() > 0 ? pixelsOfTile * missed.least * missed.least * all / rays() : 0;
   for (const Tile& t : tiles_) {
     const double standsFor = t.squares / t.chance;
     squares += standsFor;
     variance += (1 - t.chance) * standsFor * standsFor;
     most = std::max(most, standsFor);
   }
-  squares += deviations * std::sqrt(variance) + missed * asWrong * asWrong * most;
-  const double all = pixelsInAll();
-  return {all > 0 ? std::sqrt(squares / all) : 0, percentile99(deviations)};
+  squares += deviations * std::sqrt(variance) + chances * missed.asWrong * missed.asWrong * most;
+  return {all > 0 ? std::sqrt(squares / all) : 0, percentile99(missed.deviations)};
 }
 
 }  // namespace volumen

@@ -18,7 +18,13 @@ class PilotErrors {
     double rmse = 0, percentile99 = 0;  ///< Errors in 1/255
   };
   Bounds likely() const;  ///< Estimate without a safety margin
-  Bounds worst() const;
+  /// What is assumed of the tiles that were not chosen.
+  struct Missed {
+    double asWrong = 2;     ///< Factor from the worst tile found to a missed one
+    double least = 0;       ///< Least error of a missed pixel, 1/255
+    double deviations = 2;  ///< Margin of the 99th percentile, standard deviations
+  };
+  Bounds worst(const Missed& missed) const;
   int rays() const { return int(pixels_.size()); }
 
  private:

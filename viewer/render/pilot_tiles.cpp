@@ -17,7 +17,7 @@ namespace {
 
 constexpr int tile = RayGenerator::tile;
 constexpr double shareOfTiles = 1.0 / 4;
-constexpr int fewestTiles = 192;  // fewer cannot determine a 99th percentile
+constexpr int fewestTiles = 192;  // fewer seldom determine a 99th percentile
 
 // Path of a ray through a block: the fraction of its light that may be misjudged there, and the largest
 // transmittance.

@@ -9,6 +9,7 @@ using namespace volumen::tests;
 class TestKernelKey : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void stepsThatRedoRaysAreNested();
   void aPlanNamesItsKernel_data();
   void aPlanNamesItsKernel();
   void explainSaysWhatTheKernelDoes_data();
@@ -74,6 +75,15 @@ void TestKernelKey::aPlanNamesItsKernel() {
   QCOMPARE(int(key.sampling), int(sampling));
   QCOMPARE(key.lit, lit);
   QCOMPARE(key.gradientOpacity, gradientOpacity);
+}
+
+void TestKernelKey::stepsThatRedoRaysAreNested() {
+  const Asked asked;
+  for (const double redoneAbove : {0.0, 0.1}) {
+    const PilotFinding kept{.stepVoxels = 0.5, .kept = true, .redoneAbove = redoneAbove};
+    const Plan plan = *makePlan(asked.scene, asked.facts, asked.options, kept);
+    QCOMPARE(kernelKey(plan).sampling == Sampling::nested, redoneAbove > 0);
+  }
 }
 
 void TestKernelKey::explainSaysWhatTheKernelDoes_data() {

@@ -23,6 +23,7 @@ namespace {
 struct Case {
   Scene scene;
   RenderOptions options;
+  std::optional<PilotFinding> pilot{};
 };
 using Change = void (*)(Case&);
 
@@ -127,6 +128,10 @@ void TestTargets::everyCpuTargetGivesTheSameBytes_data() {
     c.scene.mode = Mode::average;
     c.options.step.reset();
   });
+  row("nested steps, some redone", [](Case& c) {
+    c.options.step.reset();
+    c.pilot = PilotFinding{.stepVoxels = 0.6, .kept = true, .redoneAbove = 0.05, .errorScale = 1};
+  });
   row("nothing left out", [](Case& c) { c.options.full = true; });
   row("an opaque segment", [](Case& c) { addSegments(c.scene, 0, 1); });
   row("segments, a level", [](Case& c) {
@@ -155,7 +160,7 @@ void TestTargets::everyCpuTargetGivesTheSameBytes() {
   QStringList others;
   const auto seen = onEveryCpuTarget([&] {
     RenderCaches caches(head);  // fresh caches, as the Sobel pass has kernels of its own
-    const Picture picture = render(*makePlan(c.scene, caches.facts(), c.options), caches)->picture;
+    const Picture picture = render(*makePlan(c.scene, caches.facts(), c.options, c.pilot), caches)->picture;
     if (!first) first = picture;
     if (picture != *first) others << QString::fromLatin1(kernelTarget());
   });
