@@ -67,7 +67,7 @@ class TestAccuracyPanel : public QObject {
   void aPictureSaysWhatWasMeasuredOfIt();
   void thePictureOnShowSaysHowFarItMayBeOff();
   void theErrorIsShownInPlaceOfThePicture();
-  void theErrorIsThereWhereStepsDoNotTellIt();
+  void stepsOfAPilotTellTheirErrorToo();
   void errorsAreGreys_data();
   void errorsAreGreys();
   void effectsShowTheirCosts();
@@ -224,7 +224,7 @@ void TestAccuracyPanel::aPictureSaysWhatWasMeasuredOfIt() {
   const auto says = [&](const char* key) { return same.text(QLatin1String(key)); };
   QCOMPARE(says("volumen-level"), QStringLiteral("high"));
   QCOMPARE(says("volumen-error"), QString::fromStdString(promiseText(Quality::high)));
-  QVERIFY(says("volumen-step").contains(QStringLiteral("cell by cell")));
+  QVERIFY2(says("volumen-step").contains(QStringLiteral("voxel")), qPrintable(says("volumen-step")));
   QVERIFY(says("volumen-scene").contains(QStringLiteral("volumenScene")));
   const auto known = measuredError(w.window.meter().measured(), *w.levels()[4].plan);
   QVERIFY(known);
@@ -291,8 +291,9 @@ void TestAccuracyPanel::theErrorIsShownInPlaceOfThePicture() {
   QVERIFY(!box->isChecked());
 }
 
-// A soft curve is drawn by plain steps. With its error map on screen, it is drawn cell by cell.
-void TestAccuracyPanel::theErrorIsThereWhereStepsDoNotTellIt() {
+// A soft curve is drawn by plain steps, whose error a pilot predicts. With its error map on screen, it is
+// drawn cell by cell.
+void TestAccuracyPanel::stepsOfAPilotTellTheirErrorToo() {
   AccuracyWindow w;
   QVERIFY(w.openPanel());
   w.after([&] {
@@ -302,7 +303,8 @@ void TestAccuracyPanel::theErrorIsThereWhereStepsDoNotTellIt() {
     });
   });
   auto* estimate = w.child<QLabel>("estimate");
-  QVERIFY2(estimate->text().contains(QStringLiteral("fixed steps")), qPrintable(estimate->text()));
+  QVERIFY2(estimate->text().startsWith(QStringLiteral("This picture (estimated)")),
+           qPrintable(estimate->text()));
   w.child<QAction>("showError")->trigger();
   const auto isMap = [&] {
     return w.window.view()->shown().isGrayscale() && w.window.view()->shown() != w.window.view()->picture();
