@@ -291,8 +291,8 @@ void TestAccuracyPanel::theErrorIsShownInPlaceOfThePicture() {
   QVERIFY(!box->isChecked());
 }
 
-// A soft curve is drawn by plain steps, whose error a pilot predicts. With its error map on screen, it is
-// drawn cell by cell.
+// A soft curve is drawn by plain steps, and a pilot predicts their error. While its error map is shown, the
+// picture is drawn cell by cell.
 void TestAccuracyPanel::stepsOfAPilotTellTheirErrorToo() {
   AccuracyWindow w;
   QVERIFY(w.openPanel());

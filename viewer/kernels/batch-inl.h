@@ -153,7 +153,7 @@ class BatchTracer {
       else
         return hn::Zero(DI());
     });
-    CompositeSteps<kNested>(f_, s, s, s.unitDistances, out_, coarse_, counts_);
+    CompositeSteps<kNested>(f_, s, s.unitDistances, out_, coarse_, counts_);
     if (begin) counts_.shadeTicks += 32 * (Ticks() - begin);
     s.size = s.noted = s.stepCount = 0;
   }

@@ -75,12 +75,11 @@ struct PacketSums {
   int first_;
 };
 
-/// Composites visible samples front to back. `colours` holds them as x, y and z. With `kNested`, `coarse`
-/// gets what steps of twice the length would give: the samples of every other step.
-template <bool kNested, class List, class Colours>
-HWY_INLINE void CompositeSteps(const RayInputs& f, const List& s, const Colours& colours,
-                               const float* opacities, const TraceRow& out, const TraceRow& coarse,
-                               TraceCounts& counts) {
+/// Composites visible samples front to back. Their colours are `s.x`, `s.y` and `s.z`. With `kNested`,
+/// every other sample is also composited into `coarse`, as if its step were twice as long.
+template <bool kNested, class List>
+HWY_INLINE void CompositeSteps(const RayInputs& f, const List& s, const float* opacities, const TraceRow& out,
+                               const TraceRow& coarse, TraceCounts& counts) {
   const DF df;
   const VF opaque = Set(1 - f.stopTransmittance);
   int at = 0, noted = 0;
@@ -93,7 +92,7 @@ HWY_INLINE void CompositeSteps(const RayInputs& f, const List& s, const Colours&
       if (!seen) continue;
       const MF has = MaskOf(seen);
       const auto expanded = [&](const float* v) { return Expanded(hn::LoadU(df, v + at), has); };
-      const V3 colour{expanded(colours.x), expanded(colours.y), expanded(colours.z)};
+      const V3 colour{expanded(s.x), expanded(s.y), expanded(s.z)};
       const VF opacity = hn::IfThenElseZero(hn::Le(sums.alpha, opaque), expanded(opacities));
       counts.composited += std::int64_t(hn::CountTrue(df, sums.Add(colour, opacity)));
       // 1 - (1 - opacity)^2

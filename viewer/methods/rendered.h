@@ -28,8 +28,8 @@ struct RenderStats {
 struct Rendered {
   Picture picture;
   /// Estimated error of each pixel (of its largest component, in 1/255). Cell by cell it is a bound: the sum
-  /// over the parts of its ray. For plain steps that a pilot accepted it is a prediction, which a few pixels
-  /// exceed (PilotFinding::errorScale). Empty if the picture tells none.
+  /// over the parts of its ray. In pictures of plain steps that a pilot accepted it is a prediction, and a
+  /// few pixels are off by more (PilotFinding::errorScale). Empty if nothing is known.
   std::vector<float> error;
   RenderStats stats;
   Plan plan;  ///< The plan as drawn, with nothing left open.

@@ -107,8 +107,9 @@ double firstStep(Quality quality, bool canHide) {
 // Returns Plan::redoneAbove of a level: four times its promise for 99 % of pixels.
 double redoneAbove(Quality quality) { return 4 * promiseOf(quality).most99 / 255; }
 
-// Returns the steps for a pilot, without `shortest`. Where thin plates hide what lies behind them, rays that
-// it misses may be far off: rays that look wrong are redone.
+// Returns the steps for a pilot, without `shortest`. Where a voxel is opaque enough to hide what lies behind
+// it, a pilot may overlook rays that are far off. There the picture compares steps of two lengths and redoes
+// rays that differ.
 std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
   if (!canIntegrate(in.scene, in.options) || in.facts.gradientBounds.empty()) return {};
   const TransferFunction& curve = in.scene.transferFunction;

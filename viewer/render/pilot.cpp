@@ -32,8 +32,8 @@ constexpr double errorMargin = 1.5;
 // Largest fraction of rays to redo. If more rays exceed the limit, too many wrong rays stay below it.
 constexpr double mostRedone = 0.01;
 
-// A part of the tiles: the largest errors relative to their promise that it may find, and the factor by which
-// the picture may be worse (of 900 pictures one was 1.7 times as wrong, 30 November 2026).
+// If a part of the tiles decides, its errors may reach this share of the promise, and the picture is told to
+// be at most so many times worse than the part (one picture of 900 was 1.7 times worse, 30 November 2026).
 constexpr double mostOfPart = 0.9, vagueness = 2.5;
 
 // Error budget of the fine rays as a fraction of the level's promise for 99 % of pixels. It costs little and

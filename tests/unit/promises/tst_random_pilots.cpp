@@ -57,7 +57,7 @@ class TestRandomPilots : public QObject {
   };
 
   /// Returns the coverage of a picture's estimate. `truth` may be off by 0.25/255, also at ill-conditioned
-  /// pixels. Pixels that are right and empty do not count.
+  /// pixels. Pixels of empty background that are right are not counted.
   static Coverage coverageOf(const Rendered& done, const Picture& truth) {
     Coverage c;
     float least = 255;
