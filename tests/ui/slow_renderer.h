@@ -82,9 +82,14 @@ struct Watched {
                      [this](ViewId, const QString& sentence) { failures << sentence; });
     service.show(0, volume);
   }
-  /// Counts pictures without first pictures of single steps, which a busy machine adds when a draft is slow.
-  int ofLevels() const {
-    return int(std::ranges::count_if(pictures, [](const ScreenPicture& p) { return !p.step; }));
+  /// Counts pictures without the finer drafts that a busy machine adds when a draft is slow.
+  int withoutFinerDrafts() const {
+    int count = 0, drafted = 0;  // number of the request of the last draft
+    for (const ScreenPicture& p : pictures) {
+      count += !p.draft() || p.number != drafted;
+      if (p.draft()) drafted = p.number;
+    }
+    return count;
   }
   bool atRest() const { return !pictures.empty() && !pictures.back().draft(); }
   /// Returns the only answer to a request.

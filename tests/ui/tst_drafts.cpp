@@ -14,8 +14,8 @@ class TestDrafts : public QObject {
  private Q_SLOTS:
   void paceKeepsTheFrameTime_data();
   void paceKeepsTheFrameTime();
-  void aFirstPictureWhereTheRestTakesLong_data();
-  void aFirstPictureWhereTheRestTakesLong();
+  void aFinerDraftWhereTheRestTakesLong_data();
+  void aFinerDraftWhereTheRestTakesLong();
   void theRestIsExpectedAsItWas();
   void draftSeesWhatTheFullPictureSees_data();
   void draftSeesWhatTheFullPictureSees();
@@ -46,40 +46,41 @@ void TestDrafts::paceKeepsTheFrameTime() {
   QCOMPARE(pace.factor(), factor);  // stays there
 }
 
-void TestDrafts::aFirstPictureWhereTheRestTakesLong_data() {
+void TestDrafts::aFinerDraftWhereTheRestTakesLong_data() {
   QTest::addColumn<double>("draftMs");
   QTest::addColumn<double>("factor");
   QTest::addColumn<int>("edge");
-  QTest::addColumn<double>("first");  // 0 if there is none
-  // Until measured, a ray at rest is expected to take twice as long, and half as long with plain steps.
-  QTest::newRow("the rest takes 2 s") << 20.0 << 7.0 << 1 << 1.0;
-  QTest::newRow("the rest takes 0.16 s") << 1.7 << 7.0 << 1 << 1.0;
-  QTest::newRow("the rest takes 0.14 s") << 1.4 << 7.0 << 1 << 0.0;
+  QTest::addColumn<double>("finer");  // 0 if there is none
+  // Until measured, a ray at rest is expected to take three times as long.
+  QTest::newRow("the rest takes 3 s") << 20.0 << 7.0 << 1 << 1.0;
+  QTest::newRow("the rest takes 0.16 s") << 1.1 << 7.0 << 1 << 1.0;
+  QTest::newRow("the rest takes 0.14 s") << 0.95 << 7.0 << 1 << 0.0;
   QTest::newRow("the draft was as fine already") << 200.0 << 1.0 << 1 << 0.0;
-  QTest::newRow("a coarser rest of 1.5 s") << 62.0 << 7.0 << 2 << 2.0;
+  QTest::newRow("a coarser rest of 2.3 s") << 62.0 << 7.0 << 2 << 2.0;
 }
 
-void TestDrafts::aFirstPictureWhereTheRestTakesLong() {
+void TestDrafts::aFinerDraftWhereTheRestTakesLong() {
   QFETCH(double, draftMs);
   QFETCH(double, factor);
   QFETCH(int, edge);
-  QFETCH(double, first);
+  QFETCH(double, finer);
   RestCost cost;
   cost.draftTook(draftMs, factor);
-  QCOMPARE(cost.factorOfFirst(factor, edge).value_or(0), first);
+  QCOMPARE(cost.factorOfFiner(factor, edge).value_or(0), finer);
 }
 
 void TestDrafts::theRestIsExpectedAsItWas() {
   RestCost cost;
-  QVERIFY(!cost.factorOfFirst(7, 1));
+  QVERIFY(!cost.factorOfFiner(7, 1));
   cost.draftTook(10, 7);
   cost.restTook(4900, 1);  // ten times as long per ray
   QCOMPARE(cost.expected(1), 4900.0);
   cost.draftTook(1.5, 7);
   QCOMPARE(cost.expected(1), 735.0);
-  QCOMPARE(*cost.factorOfFirst(7, 1), 1.0);
-  cost.firstTook(600, 1);  // nearly as long, with fewer rays
-  QCOMPARE(*cost.factorOfFirst(7, 1), 2.0);
+  QCOMPARE(*cost.factorOfFiner(7, 1), 1.0);
+  cost.restTook(150, 1);  // twice as long
+  cost.draftTook(10, 7);
+  QCOMPARE(*cost.factorOfFiner(7, 1), 1.5);
 }
 
 void TestDrafts::draftSeesWhatTheFullPictureSees_data() {

@@ -52,10 +52,10 @@ void TestDrawSchedule::whatIsDrawnNext_data() {
       Turn{draft, 2});
   row("a draft of another before the picture at rest under the hand",
       {.views = {waits(1, rest), waits(2, draft)}, .gestureView = 1}, Turn{draft, 2});
-  row("a draft of another before the first picture under the hand",
-      {.views = {waits(1, first), waits(2, draft)}, .gestureView = 1}, Turn{draft, 2});
-  row("a first picture of another before the picture at rest under the hand",
-      {.views = {waits(1, rest), waits(2, first)}, .gestureView = 1}, Turn{first, 2});
+  row("a draft of another before the finer one under the hand",
+      {.views = {waits(1, finer), waits(2, draft)}, .gestureView = 1}, Turn{draft, 2});
+  row("a finer draft of another before the picture at rest under the hand",
+      {.views = {waits(1, rest), waits(2, finer)}, .gestureView = 1}, Turn{finer, 2});
   row("pictures at rest: the view of the last gesture, however long others have waited",
       {.views = {waits(1, rest, 5000), waits(2, rest)}, .gestureView = 2}, Turn{rest, 2});
   row("the hand is over a view that waits for nothing", {.views = {waits(1, rest)}, .gestureView = 2},
@@ -85,7 +85,7 @@ void TestDrawSchedule::allIsDrawnInTheEnd() {
       view->next = Work(int(turn->work) + 1);
   }
   std::vector<Turn> expected;
-  for (const Work work : {draft, first, rest})
+  for (const Work work : {draft, finer, rest})
     for (const ViewId view : {2, 0, 1, 3}) expected.push_back({work, view});
   QVERIFY(done == expected);
 }

@@ -69,12 +69,12 @@ void DraftPace::measured(double ms) {
   }
 }
 
-std::optional<double> RestCost::factorOfFirst(double draft, int edge) const {
+std::optional<double> RestCost::factorOfFiner(double draft, int edge) const {
   constexpr double soonMs = 150;
-  const double rest = expected(edge), first = timesFirst_ * draftMs_;
+  const double rest = expected(edge);
   if (rest <= soonMs) return {};
   const auto next = std::find_if(std::begin(factors), std::end(factors), [&](double factor) {
-    return factor >= edge && first / (factor * factor) <= rest / 3;
+    return factor >= edge && draftMs_ / (factor * factor) <= rest / 3;
   });
   if (next == std::end(factors) || *next * 1.4 > draft) return {};
   return *next;

@@ -26,32 +26,31 @@ class DraftPace {
   int step_ = 4;
 };
 
-/// Predicts the time of a first picture by plain steps and of the picture at rest. It uses the time of a
-/// draft of the same scene and earlier ratios of such times.
+/// Predicts the time of the picture at rest from that of a draft of the same scene and earlier ratios of such
+/// times.
 class RestCost {
  public:
   /// Records the time of a draft.
   void draftTook(double ms, double factor) { draftMs_ = ms * factor * factor; }
   /// Records the time of the picture at rest after that draft, with one ray per edge x edge pixels.
   void restTook(double ms, int edge) {
-    if (draftMs_ > 0) timesDraft_ = ms * edge * edge / draftMs_;
-  }
-  /// Records the time of the first picture by plain steps after that draft, with one ray per factor x factor
-  /// pixels.
-  void firstTook(double ms, double factor) {
-    if (draftMs_ > 0) timesFirst_ = ms * factor * factor / draftMs_;
+    if (!(draftMs_ > 0)) return;
+    timesDraft_ = ms * edge * edge / draftMs_;
+    isMeasured_ = true;
   }
   /// Returns the expected time of the picture at rest, ms.
   double expected(int edge) const { return timesDraft_ * draftMs_ / (edge * edge); }
-  /// Returns the factor of a first picture: the finest that takes at most a third of the picture at rest.
-  /// Returns nothing if the picture at rest comes soon anyway or the draft was about as fine.
-  std::optional<double> factorOfFirst(double draft, int edge) const;
+  /// Returns whether the picture at rest is as fast as a draft, by earlier ones.
+  bool isWithin(double budgetMs, int edge) const { return isMeasured_ && expected(edge) <= budgetMs; }
+  /// Returns the factor of a second, finer draft before the picture at rest: the finest that takes at most a
+  /// third as long. Returns nothing if the picture at rest comes soon anyway or the draft was about as fine.
+  std::optional<double> factorOfFiner(double draft, int edge) const;
 
  private:
   double draftMs_ = 0;  // time of the last draft, scaled to full resolution
-  // Time per ray relative to a draft; initially as measured on chest and head.
-  double timesDraft_ = 2;    // at rest
-  double timesFirst_ = 0.5;  // by plain steps
+  bool isMeasured_ = false;
+  double timesDraft_ =
+      3;  // time per ray at rest relative to a draft; initially as measured on chest and head
 };
 
 /// The size and camera of a smaller picture with the same content. The size is rounded up, and the camera

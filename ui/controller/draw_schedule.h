@@ -11,7 +11,7 @@ namespace volumen {
 /// Tasks of the render thread, in order of priority.
 enum class Work {
   draft,  ///< the immediate picture of a view, within the frame time
-  first,  ///< a picture of a view by plain steps, if its picture at rest will take long
+  finer,  ///< a finer draft, if its picture at rest will take long
   rest,   ///< the picture at rest of a view
   saved,
   trial,
@@ -21,7 +21,7 @@ enum class Work {
 /// A view whose picture at rest is not drawn yet.
 struct WaitingView {
   ViewId view = 0;
-  Work next = Work::draft;              ///< draft, first or rest
+  Work next = Work::draft;              ///< draft, finer or rest
   std::chrono::milliseconds waited{0};  ///< since the start of its last draft, else since the request
 };
 

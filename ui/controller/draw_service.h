@@ -35,7 +35,7 @@ struct Trial {
 /// Draws the 3D pictures of all views on its own thread, in the order of nextTurn(). Each view has only its
 /// latest request. First a draft with fewer pixels is drawn within the frame time. After a short pause
 /// without new requests, in which the picture at rest is planned, that is drawn at its level. If it is
-/// expected to take long, a first picture by plain steps precedes it. Views of one volume share precomputed
+/// expected to take long, a finer draft precedes it. Views of one volume share precomputed
 /// data. No call waits. All functions belong to the thread of this object. Signals come from its event loop;
 /// only the last answers come from the destructor.
 class DrawService : public QObject {
@@ -95,7 +95,7 @@ class DrawService : public QObject {
   struct Pending {
     ScreenRequest request;
     Work next = Work::draft;
-    double firstFactor = 1;   // of the first picture
+    double finerFactor = 1;   // of the finer draft
     Clock::time_point since;  // WaitingView::waited counts from here
   };
   struct View {
@@ -143,7 +143,7 @@ class DrawService : public QObject {
   void dropUnused(std::unique_lock<std::mutex>& lock);
   Waiting waiting() const;
   void drawDraft(ViewId id, std::unique_lock<std::mutex>& lock);
-  void drawFirst(ViewId id, std::unique_lock<std::mutex>& lock);
+  void drawFiner(ViewId id, std::unique_lock<std::mutex>& lock);
   void drawRest(ViewId id, std::unique_lock<std::mutex>& lock);
   void drawSaved(std::unique_lock<std::mutex>& lock);
   void drawTrial(std::unique_lock<std::mutex>& lock);
@@ -153,7 +153,7 @@ class DrawService : public QObject {
   Outcome drawScreen(ViewId id, const ScreenRequest& request, Pass pass, bool atRest,
                      const CancelToken& cancel, const PlannedPass* ahead = nullptr);
   bool staysQuiet(ViewId id, int number, std::unique_lock<std::mutex>& lock);
-  void follow(ViewId id, int number, Outcome outcome, std::optional<Work> next, double firstFactor = 1);
+  void follow(ViewId id, int number, Outcome outcome, std::optional<Work> next, double finerFactor = 1);
   void useCpu();
 
   const MakeDraw makeDraw_;

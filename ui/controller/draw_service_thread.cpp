@@ -21,8 +21,8 @@ void DrawService::run() {
       case Work::draft:
         drawDraft(turn->view, lock);
         break;
-      case Work::first:
-        drawFirst(turn->view, lock);
+      case Work::finer:
+        drawFiner(turn->view, lock);
         break;
       case Work::rest:
         drawRest(turn->view, lock);
@@ -93,19 +93,19 @@ void DrawService::drawDraft(ViewId id, std::unique_lock<std::mutex>& lock) {
   // Another quality level of the picture on screen needs no draft; that picture may be finer than any draft.
   const bool seen = drawing.isSeen(request) && !only;
   const Outcome outcome = seen ? Outcome::drawn : drawScreen(id, request, draft, only, cancel);
-  const auto firstFactor = seen ? std::nullopt : drawing.factorOfFirst(request.level);
+  const auto finerFactor = seen ? std::nullopt : drawing.factorOfFiner(request.level);
   quietAt_ = Clock::now() + restTime;
   lock.lock();
   if (only)
     follow(id, request.number, outcome, {});
   else
-    follow(id, request.number, outcome, firstFactor ? Work::first : Work::rest, firstFactor.value_or(1));
+    follow(id, request.number, outcome, finerFactor ? Work::finer : Work::rest, finerFactor.value_or(1));
 }
 
-void DrawService::drawFirst(ViewId id, std::unique_lock<std::mutex>& lock) {
+void DrawService::drawFiner(ViewId id, std::unique_lock<std::mutex>& lock) {
   View& view = views_.at(id);
   const ScreenRequest request = view.pending->request;
-  const Pass pass = firstPicturePass(request.level, view.pending->firstFactor);
+  const Pass pass{Quality::draft, view.pending->finerFactor};
   if (!staysQuiet(id, request.number, lock)) return;
   const CancelToken cancel = view.restCancel = CancelToken();
   lock.unlock();
@@ -244,12 +244,12 @@ bool DrawService::staysQuiet(ViewId id, int number, std::unique_lock<std::mutex>
 
 // Sets the next task of a view after a picture, unless the view has another request by now.
 void DrawService::follow(ViewId id, int number, Outcome outcome, std::optional<Work> next,
-                         double firstFactor) {
+                         double finerFactor) {
   auto& pending = views_.at(id).pending;
   if (outcome == Outcome::cancelled || !pending || pending->request.number != number) return;
   if (outcome == Outcome::failed || !next) return pending.reset();
   pending->next = *next;
-  pending->firstFactor = firstFactor;
+  pending->finerFactor = finerFactor;
 }
 
 // OpenGL has failed; pending requests use the CPU.

@@ -28,11 +28,6 @@ PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& ge
   view.scene.camera = draft.camera;
   view.options.size = {draft.size.width(), draft.size.height()};
   view.options.quality = pass.quality;
-  view.options.step = pass.step;
-  // A tolerance excludes plain steps, most of which have no error estimate; this is that of the level.
-  const bool canTell = request.scene.mode == Mode::composite && request.resampler == Resampler::cpu;
-  if (request.withError && canTell && pass.factor == 1 && !pass.step)
-    view.options.tolerance = levelOf(pass.quality).rayBudget / 255;
   if (request.resampler != Resampler::gl) return view;
   if (pass.quality != Quality::draft)
     view.options.resampler = Resampler::gl;
@@ -46,23 +41,31 @@ PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& ge
 PlannedPass planPass(const Draw& draw, const Volume& volume, const ScreenRequest& request, Pass pass,
                      Clock::time_point from, const CancelToken& cancel) {
   from = std::max(from, Clock::now());
-  const PassView view = viewOf(request, pass, volume.geometry());
-  return {draw.plan(view.scene, view.options, cancel), from};
+  PassView view = viewOf(request, pass, volume.geometry());
+  Result<Planned> planned = draw.plan(view.scene, view.options, cancel);
+  const bool canTell = request.scene.mode == Mode::composite && request.resampler == Resampler::cpu;
+  if (planned && request.withError && canTell && pass.factor == 1 && !tellsError(planned->plan)) {
+    // The level's tolerance excludes plain steps.
+    view.options.tolerance = levelOf(pass.quality).rayBudget / 255;
+    planned = draw.plan(view.scene, view.options, cancel);
+  }
+  return {std::move(planned), from};
 }
 
 Result<DrawnPass> drawPass(const Draw& draw, const Volume& volume, const ScreenRequest& request, Pass pass,
                            const CancelToken& cancel, const PlannedPass* ahead) {
-  const Clock::time_point begin = ahead ? ahead->from : Clock::now();
-  PassView view = viewOf(request, pass, volume.geometry());
-  Result<Drawn> drawn = !ahead            ? draw(view.scene, view.options, cancel)
-                        : !ahead->planned ? Result<Drawn>(ahead->planned.error())
-                                          : draw.picture(*ahead->planned, cancel);
+  if (!ahead) {
+    const PlannedPass now = planPass(draw, volume, request, pass, Clock::now(), cancel);
+    return drawPass(draw, volume, request, pass, cancel, &now);
+  }
+  if (!ahead->planned) return ahead->planned.error();
+  Result<Drawn> drawn = draw.picture(*ahead->planned, cancel);
   if (!drawn) return drawn.error();
+  PassView view = viewOf(request, pass, volume.geometry());
   ScreenPicture shown;
   shown.number = request.number;
   shown.quality = pass.quality;
   shown.factor = pass.factor;
-  shown.step = pass.step;
   shown.scene = std::move(view.shown);
   shown.image =
       pass.factor == 1 ? toImage(drawn->picture) : enlarged(drawn->picture, pass.factor, request.pixels);
@@ -71,7 +74,7 @@ Result<DrawnPass> drawPass(const Draw& draw, const Volume& volume, const ScreenR
   shown.warnings = drawn->warnings;
   shown.estimated = pass.factor == 1 ? estimateOf(drawn->plan, drawn->error) : std::nullopt;
   if (shown.estimated) shown.error = std::make_shared<const std::vector<float>>(drawn->error);
-  shown.ms = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
+  shown.ms = std::chrono::duration<double, std::milli>(Clock::now() - ahead->from).count();
   return DrawnPass{std::move(*drawn), std::move(shown)};
 }
 

@@ -19,7 +19,7 @@ struct ScreenRequest {
   /// For all but drafts. Drafts leave out segments that the resampler cannot show.
   Resampler resampler = Resampler::cpu;
   PictureLevel level;      ///< at rest
-  bool withError = false;  ///< drawn cell by cell where possible, which estimates the error
+  bool withError = false;  ///< drawn so that the picture estimates its error where it can
 };
 
 /// A picture for the screen.
@@ -29,9 +29,8 @@ struct ScreenPicture {
   int number = 0;  ///< of the request
   QImage image;    ///< with the requested number of pixels
   Quality quality = Quality::standard;
-  double factor = 1;             ///< one ray per factor x factor pixels (DraftPace, PictureLevel)
-  std::optional<double> step{};  ///< plain steps of a first picture, voxels
-  bool atRest = false;           ///< true if no finer picture follows
+  double factor = 1;    ///< one ray per factor x factor pixels (DraftPace, PictureLevel)
+  bool atRest = false;  ///< true if no finer picture follows
   /// Wall-clock time until the image. It counts from the start of the request or, at rest, from the end of
   /// the pause and of drafts.
   double ms = 0;
@@ -47,19 +46,15 @@ struct ScreenPicture {
   bool draft() const { return !atRest; }
 };
 
-/// One drawing of a request, with one ray per factor x factor pixels. It uses a quality level, or plain steps
-/// of `step` voxels if given.
+/// One drawing of a request, with one ray per factor x factor pixels.
 struct Pass {
   Quality quality;
   double factor;
-  std::optional<double> step{};
   bool operator==(const Pass&) const = default;
 };
 
 /// Returns the pass of the picture at rest.
 inline Pass restPass(PictureLevel level) { return {level.quality, double(level.edge)}; }
-/// Returns the pass of a first picture for slow pictures at rest, with the steps that most programs use.
-inline Pass firstPicturePass(PictureLevel level, double factor) { return {level.quality, factor, 1.0}; }
 
 /// A pass that was planned before it is drawn.
 struct PlannedPass {

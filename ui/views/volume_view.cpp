@@ -20,12 +20,9 @@ namespace volumen {
 namespace {
 constexpr int leastForCube = 280;  // pixels of width and height; in less the cube would hide the picture
 
-// Returns "draft 1/4 - 12 ms", "first: steps of 1 voxel - 80 ms", "final: standard - 223 ms". Old pictures
-// have "before: standard - 223 ms".
+// Returns "draft 1/4 - 12 ms", "final: standard - 223 ms". Old pictures have "before: standard - 223 ms".
 QString captionOf(const ScreenPicture& drawn, bool isOld = false) {
-  QString level =
-      drawn.step ? VolumeView::tr("first: steps of %1").arg(QString::fromStdString(inVoxels(*drawn.step)))
-                 : QString::fromLatin1(qualityName(drawn.quality));
+  QString level = QString::fromLatin1(qualityName(drawn.quality));
   if (drawn.factor > 1) level += QStringLiteral(" 1/%1").arg(drawn.factor);
   if (drawn.atRest) level = (isOld ? VolumeView::tr("before: %1") : VolumeView::tr("final: %1")).arg(level);
   return VolumeView::tr("%1 - %2 ms").arg(level, QString::number(drawn.ms, 'f', drawn.ms < 10 ? 1 : 0));

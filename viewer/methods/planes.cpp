@@ -95,7 +95,7 @@ Result<Rendered> renderPlanesCpu(const Plan& plan, RenderCaches& caches, const C
     setup.makeBlock(int(n % blocks.x) * RayGenerator::block, int(n / blocks.x) * RayGenerator::block, rays);
     cancel.setDone(double(begun++) / double(count));
   });
-  if (plan.pilot && plan.pilot->kept && !cancel.cancelled()) finish(plan, caches, cancel, totals, done);
+  if (!plan.cellByCell && tellsError(plan) && !cancel.cancelled()) finish(plan, caches, cancel, totals, done);
   if (cancel.cancelled()) return Error{"cancelled"};
 
   totals.report(plan, wallMs() - begin, stats);

@@ -16,8 +16,7 @@ RowPainter::RowPainter(const Plan& plan, const RenderInputs& inputs, Picture& pi
   else
     project_ = chooseProjectKernel(inputs.key().store, plan.scene.mode, plan.cellByCell);
   preparePicture(plan, picture);
-  if (inputs.key().sampling == Sampling::passages || (plan.pilot && plan.pilot->kept))
-    error.assign(picture.rgba.size() / 4, 0.0f);
+  if (tellsError(plan)) error.assign(picture.rgba.size() / 4, 0.0f);
 }
 
 void RowPainter::paint(const RayRow& rays, const PlaneBuffer& plane, Task& task) const {

@@ -93,15 +93,28 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
   return {};
 }
 
+// Returns whether the curve is too sharp for plain steps, whatever the volume's values between samples.
+bool isSharpFor(const RuleInput& in) {
+  return isSharp(in.scene.transferFunction, (in.facts.p999 - in.facts.p01) / 50);
+}
+
 // Returns the largest error, as a fraction of white, that pixels missed by a pilot may have: it knows nothing
 // about a few rays in thousands. `high` promises a third of the error.
-double mostMissed(Quality quality) { return quality == Quality::standard ? 0.25 : 0.08; }
+double mostMissed(Quality quality) { return quality == Quality::high ? 0.08 : 0.25; }
+
+// Returns whether a voxel is opaque enough to hide what lies behind it, so that rays may be far off.
+bool canHide(const RuleInput& in) {
+  return mostOfVoxel(in, steepnessOf(in.scene.transferFunction, in.facts)) > mostMissed(in.options.quality);
+}
+
+// First step to try for a draft, voxels: one of few that spread evenly over the cells.
+constexpr double firstInDrafts = 0.7236;
 
 // Returns a step near the typical result for bone in CT at `standard`, so that a second try is seldom far
 // off; for thin matter a longer one. It must not be a simple fraction of a voxel.
-double firstStep(Quality quality, bool canHide) {
-  if (quality == Quality::standard) return canHide ? 0.4198 : 0.7236;
-  return canHide ? 0.2165 : 0.3052;
+double firstStep(Quality quality, bool hides) {
+  if (quality == Quality::standard) return hides ? 0.4198 : 0.7236;
+  return hides ? 0.2165 : 0.3052;
 }
 
 // Returns Plan::redoneAbove of a level: four times its promise for 99 % of pixels.
@@ -112,11 +125,11 @@ double redoneAbove(Quality quality) { return 4 * promiseOf(quality).most99 / 255
 // rays that differ.
 std::optional<PilotSteps> stepsOfMatter(const RuleInput& in) {
   if (!canIntegrate(in.scene, in.options) || in.facts.gradientBounds.empty()) return {};
-  const TransferFunction& curve = in.scene.transferFunction;
-  if (isSharp(curve, (in.facts.p999 - in.facts.p01) / 50)) return {};
+  if (isSharpFor(in)) return {};
   const Quality quality = in.options.quality;
-  const bool canHide = mostOfVoxel(in, steepnessOf(curve, in.facts)) > mostMissed(quality);
-  return PilotSteps{0, firstStep(quality, canHide), canHide ? redoneAbove(quality) : 0};
+  if (quality == Quality::draft) return PilotSteps{0, firstInDrafts};
+  const bool hides = canHide(in);
+  return PilotSteps{0, firstStep(quality, hides), hides ? redoneAbove(quality) : 0};
 }
 
 // True for projections by planes on the CPU, the only ones that follow rays through cells.
@@ -154,9 +167,7 @@ Effect integrated(const RuleInput& in, Plan& plan, const std::string& tried) {
 // Decides for all other paths.
 Effect stepped(const RuleInput& in, Plan& plan, const std::string& tried) {
   plan.stepVoxels = levelOf(in.options.quality).stepVoxels;
-  const double range = in.facts.p999 - in.facts.p01;
-  if (composite(in) && !isSharp(in.scene.transferFunction, range / 50))
-    return plainSteps(plan, ": the curve is smooth");
+  if (composite(in) && !isSharpFor(in)) return plainSteps(plan, ": the curve is smooth");
   // Means over pixels of a draft average out the errors of many rays.
   if (in.scene.mode != Mode::average || in.options.quality != Quality::draft) plan.stepVoxels /= 2;
   return plainSteps(
@@ -168,6 +179,11 @@ Effect stepped(const RuleInput& in, Plan& plan, const std::string& tried) {
 
 std::string toldBy(const PilotFinding& pilot) {
   if (pilot.rays == 0) return "no ray that was tried shows anything";
+  if (pilot.psnrDb == 0)
+    return std::to_string(pilot.rays) +
+           " rays of this picture, also followed cell by cell, tell of blocks within " +
+           inDigits(std::ceil(100 * pilot.blockRmse) / 100, 3) + "/255 and a mean colour within " +
+           inDigits(std::ceil(100 * pilot.meanColour) / 100, 3) + "/255";
   // Rounded towards the weaker promise.
   return std::to_string(pilot.rays) +
          " rays of this picture, also followed cell by cell, tell of a PSNR of " +
@@ -182,12 +198,12 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
     lean.full = false;
     return makePlan(in.scene, in.facts, lean)->pilotSteps;
   }
-  // A pilot would take half the time of a draft in the window, and no sample of rays can promise a maximum.
-  if (o.quality != Quality::standard && o.quality != Quality::high) return {};
-  if (!isWholeLevel(o)) return {};
+  // No sample of rays can promise a maximum.
+  if (o.quality == Quality::exact || !isWholeLevel(o)) return {};
   // The rays needed for a 99th percentile would be too large a share of smaller pictures, and would miss the
   // ends of strips.
-  if (double(o.size.x) * o.size.y < 384.0 * 384 || std::min(o.size.x, o.size.y) < 128) return {};
+  const bool isSmall = double(o.size.x) * o.size.y < 384.0 * 384 || std::min(o.size.x, o.size.y) < 128;
+  if (isSmall && o.quality != Quality::draft) return {};
   auto steps = stepsOfMatter(in);
   if (!steps || (steps->redoneAbove > 0 && !plan.cellByCell)) return {};
   Plan plain = plan;

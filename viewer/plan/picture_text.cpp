@@ -108,7 +108,7 @@ std::string estimateText(const Plan& plan, const PictureError& e) {
   const std::string without = notEstimated(plan), but = without.empty() ? "" : "; without that of " + without;
   if (isRoundingAlone(e)) return "none but the rounding of floats" + but;
   const std::string most99 = e.percentile99 > 0 ? atMost(e.percentile99) : "0/255";
-  const bool isBound = !plan.pilot || !plan.pilot->kept;
+  const bool isBound = plan.cellByCell;
   return (isBound ? "at most " : "predicted by rays of the picture, no bound: at most ") + atMost(e.maximum) +
          ", 99th percentile " + most99 + ", PSNR at least " + inDigits(std::floor(e.psnrDb), 3) + " dB" + but;
 }
@@ -135,7 +135,7 @@ std::vector<std::pair<std::string, std::string>> pictureText(const Plan& plan, c
                                                         {"volumen-level", levelText(plan)},
                                                         {"volumen-error", errorText(plan)}};
   if (const std::string cut = cutText(plan.cut); !cut.empty()) text.push_back({"volumen-cut", cut});
-  if (plan.pilot && plan.pilot->kept) text.push_back({"volumen-error-pilot", toldBy(*plan.pilot)});
+  if (!plan.cellByCell && tellsError(plan)) text.push_back({"volumen-error-pilot", toldBy(*plan.pilot)});
   if (known.estimated) text.push_back({"volumen-error-estimated", estimateText(plan, *known.estimated)});
   if (known.measured) text.push_back({"volumen-error-measured", errorText(*known.measured)});
   if (plan.method != Method::reference)

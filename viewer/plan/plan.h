@@ -36,7 +36,7 @@ struct PilotFinding {
   double stepVoxels = 1;
   bool kept = false;        ///< True if the steps keep the level's promise and are used
   int rays = 0;             ///< Rays that show anything
-  double psnrDb = 0;        ///< Lower bound over everything shown, as in PictureError
+  double psnrDb = 0;        ///< Lower bound over everything shown, as in PictureError; 0 for a draft
   double percentile99 = 0;  ///< Upper bound over everything shown
   double redoneAbove = 0;   ///< Plan::redoneAbove
   double redoneShare = 0;   ///< Fraction of the rays that show anything and are redone
@@ -45,6 +45,8 @@ struct PilotFinding {
   /// of split conformal prediction (Papadopoulos 2002).
   double errorScale = 0;
   static constexpr double leastChange = 0.5;  ///< 1/255
+  /// Upper bounds of a draft, 1/255: RMSE of means over blocks of pixels, and mean difference.
+  double blockRmse = 0, meanColour = 0;
   bool operator==(const PilotFinding&) const = default;
 };
 
@@ -99,6 +101,11 @@ struct Plan {
 /// names an option that the methods cannot do, for example a reflectance map with localViewer.
 Result<Plan> makePlan(const Scene& scene, const VolumeFacts& facts, const RenderOptions& options,
                       const std::optional<PilotFinding>& pilot = {});
+
+/// Returns whether the picture estimates the error of each of its pixels.
+inline bool tellsError(const Plan& plan) {
+  return plan.cellByCell || (plan.pilot && plan.pilot->kept && plan.options.quality != Quality::draft);
+}
 
 /// Returns the plan as --explain prints it, one effect per line: "on   gradients: the scene is lit".
 std::string explain(const Plan& plan);

@@ -16,7 +16,19 @@ constexpr double samplesOfARay = 200;  // samples of a long ray; a drift of one 
 
 // Above this, lattices violated levels whose steps keep their promise otherwise (tests/unit/promises,
 // TestEvenSteps::noDirectionResonates).
-constexpr double mostResonance = 0.5;
+constexpr double mostResonance = 0.3;
+
+// The same of steps that are tried before they are taken.
+constexpr double mostToTry = 0.5;
+
+// A shorter step is not worth less resonance than this.
+constexpr double littleResonance = 0.05;
+
+// Step lengths whose continued fractions end in ones: successive steps visit all places of the cells about
+// equally often. Longer ones would be too close to a whole voxel.
+constexpr double evenlySpread[] = {0.8490, 0.7835, 0.7236, 0.6180, 0.5802, 0.5607, 0.4393, 0.4198,
+                                   0.3820, 0.3593, 0.3109, 0.3052, 0.2957, 0.2764, 0.2338, 0.2282,
+                                   0.2165, 0.1895, 0.1780, 0.1747, 0.1513, 0.1315};
 
 struct Wave {
   glm::dvec3 m;
@@ -43,11 +55,11 @@ double leftOf(double periods) {
   return std::min(1.0, 1 / (std::numbers::pi * off));  // envelope of a sinc
 }
 
-// Returns the resonance with patterns of two to four voxels, relative to the whole error of such steps.
+// Returns the resonance with patterns of two to eight voxels, relative to the whole error of such steps.
 double resonance(double stepVoxels, glm::dvec3 alongVoxel) {
   static const std::vector<Wave> waves = makeWaves();
   double most = 0;
-  for (int period = 2; period <= 4; ++period) {
+  for (int period = 2; period <= 8; ++period) {
     double sum = 0;
     for (const Wave& wave : waves) {
       const double left = leftOf(stepVoxels * glm::dot(alongVoxel, wave.m) / period);
@@ -65,13 +77,13 @@ bool meetsSamePlaces(double step) {
   return false;
 }
 
-}  // namespace
-
-bool resonates(double stepVoxels, glm::dvec3 alongVoxel) {
+// Returns whether this holds along any axis.
+bool meetsSamePlaces(double stepVoxels, glm::dvec3 alongVoxel) {
   const glm::dvec3 step = stepVoxels * glm::abs(alongVoxel);
-  return meetsSamePlaces(step.x) || meetsSamePlaces(step.y) || meetsSamePlaces(step.z) ||
-         resonance(stepVoxels, alongVoxel) > mostResonance;
+  return meetsSamePlaces(step.x) || meetsSamePlaces(step.y) || meetsSamePlaces(step.z);
 }
+
+}  // namespace
 
 glm::dvec3 alongVoxelOf(const Camera& camera, const VoxelGeometry& geometry) {
   return glm::normalize(geometry.voxelFromPatientStep() * glm::normalize(camera.direction));
@@ -79,8 +91,23 @@ glm::dvec3 alongVoxelOf(const Camera& camera, const VoxelGeometry& geometry) {
 
 std::optional<double> stepWithoutResonance(glm::dvec3 alongVoxel, double most, double least) {
   constexpr double shorter = 0.985;
-  for (double step = most; step >= least; step *= shorter)
-    if (!resonates(step, alongVoxel)) return step;
+  std::optional<double> best;
+  double leastResonance = mostResonance;
+  for (double step = most; step >= least && leastResonance > littleResonance; step *= shorter) {
+    if (meetsSamePlaces(step, alongVoxel)) continue;
+    const double found = resonance(step, alongVoxel);
+    if (found > leastResonance) continue;
+    leastResonance = found;
+    best = step;
+  }
+  return best;
+}
+
+std::optional<double> evenlySpreadStep(glm::dvec3 alongVoxel, double most, double least) {
+  for (double step : evenlySpread)
+    if (step <= most && step >= least && !meetsSamePlaces(step, alongVoxel) &&
+        resonance(step, alongVoxel) <= mostToTry)
+      return step;
   return {};
 }
 

@@ -7,6 +7,7 @@
 #include "viewer/kernels/ray_generator.h"
 #include "viewer/methods/row_painter.h"
 #include "viewer/plan/resonance.h"
+#include "viewer/render/block_errors.h"
 #include "viewer/render/pilot_errors.h"
 #include "viewer/render/pilot_tiles.h"
 #include "viewer/volume/parallel.h"
@@ -19,6 +20,7 @@ namespace {
 // no integer, since rays could otherwise all hit a pattern of pixels at the same place.
 constexpr double pixelsApart = 4.236;
 constexpr int tilesATask = 8;
+constexpr std::size_t leastPart = 96;  // half as many missed most wrong pixels of one picture in 1,127
 
 // Limit of further tries with shorter steps after a failure. (After a success longer steps are tried once.)
 // Going cell by cell would take longer than the last try.
@@ -32,19 +34,15 @@ constexpr double errorMargin = 1.5;
 // Largest fraction of rays to redo. If more rays exceed the limit, too many wrong rays stay below it.
 constexpr double mostRedone = 0.01;
 
-// If a part of the tiles decides, its errors may reach this share of the promise, and the picture is told to
-// be at most so many times worse than the part (one picture of 900 was 1.7 times worse, 30 November 2026).
-constexpr double mostOfPart = 0.9, vagueness = 2.5;
+// The second step that is tried for a draft, voxels.
+constexpr double shorterInDrafts = 0.4393;
+
+// If a part of the tiles decides, its errors may reach this share of the promise.
+constexpr double mostOfPart = 0.9;
 
 // Error budget of the fine rays as a fraction of the level's promise for 99 % of pixels. It costs little and
 // is added to the measured error.
 constexpr double shareOfTruth = 1.0 / 32;
-
-// Step lengths whose continued fractions end in ones: successive steps visit all places of the cells about
-// equally often. Longer ones would be too close to a whole voxel.
-constexpr double evenlySpread[] = {0.8490, 0.7835, 0.7236, 0.6180, 0.5802, 0.5607, 0.4393, 0.4198,
-                                   0.3820, 0.3593, 0.3109, 0.3052, 0.2957, 0.2764, 0.2338, 0.2282,
-                                   0.2165, 0.1895, 0.1780, 0.1747, 0.1513, 0.1315};
 
 glm::ivec2 sizeOfPilot(glm::ivec2 size) { return glm::ivec2(glm::ceil(glm::dvec2(size) / pixelsApart)); }
 
@@ -61,12 +59,13 @@ class Pilot {
   Result<PilotFinding> operator()() {
     RenderOptions finer = plan_.options;
     finer.stopAt = std::min(plan_.stopTransmittance, shareOfTruth / 255);
-    finer.tolerance = promiseOf(plan_.options.quality).most99 / 255 * shareOfTruth;
+    finer.tolerance = errorOfTruth() / 255;
     auto fine = planOf(finer, {});
     if (!fine) return fine.error();
     fine_ = std::move(*fine);
-    // A quarter of the tiles is enough where the errors leave room for what it may have missed.
-    const std::size_t all = tiles_.size(), few = all / 4;
+    if (plan_.options.quality == Quality::draft) return ofDraft();
+    // A part of the tiles is enough where the errors leave room for what it may have missed.
+    const std::size_t all = tiles_.size(), few = all / (all / 4 >= leastPart ? 4 : 2);
     auto found = tried(stepUpTo(plan_.pilotSteps->first, 0).value_or(plan_.pilotSteps->first), few);
     for (int more = 0; found && more < mostFurtherTries; ++more) {
       const auto step = betterStep(*found, found->off, shorter);
@@ -88,6 +87,46 @@ class Pilot {
   }
 
  private:
+  // Returns the error budget of the fine rays, 1/255.
+  double errorOfTruth() const {
+    const Quality quality = plan_.options.quality;
+    return quality == Quality::draft ? levelOf(quality).rayBudget : promiseOf(quality).most99 * shareOfTruth;
+  }
+
+  // Lets a draft take plain steps if the means over blocks of pixels keep its promise. A tile of rays covers
+  // about one block.
+  Result<PilotFinding> ofDraft() {
+    const std::size_t count = tiles_.size() / 2;
+    PilotFinding told;
+    for (const double most : {plan_.pilotSteps->first, shorterInDrafts}) {
+      const auto step = stepUpTo(most, 0);
+      if (!step) continue;
+      const auto tried = drawn(*step, count);
+      if (!tried) return tried.error();
+      followTruth(count);
+      if (cancel_.cancelled()) return Error{"cancelled"};
+      told = tried->asIf;
+      BlockErrors errors;
+      for (std::size_t n = 0; n < count; ++n) {
+        errors.beginBlock(chanceOf(n, count));
+        forEachPixel(tiles_[n], [&](std::size_t pixel) {
+          glm::dvec4 off;
+          for (int c = 0; c < 4; ++c)
+            off[c] = 255 * (double(tried->picture.rgba[4 * pixel + c]) - finePicture_.rgba[4 * pixel + c]);
+          errors.add(off);
+          told.rays += shows(tried->picture, pixel) || shows(finePicture_, pixel);
+        });
+      }
+      const BlockErrors::Bounds worst = errors.worst();
+      told.blockRmse = worst.rmse;
+      told.meanColour = worst.meanColour;
+      told.kept = told.rays > 0 && worst.rmse <= draftPromise.mostRmse &&
+                  worst.meanColour <= draftPromise.mostMeanColour;
+      if (told.kept || told.rays == 0) break;
+    }
+    return told;
+  }
+
   // `off` is the largest error relative to its promise; `likely` is the same without allowance for missed
   // pixels.
   struct Found {
@@ -105,10 +144,7 @@ class Pilot {
 
   // Returns the longest step from `least` to `most` that does not resonate with the grid.
   std::optional<double> stepUpTo(double most, double least) const {
-    const glm::dvec3 alongVoxel = alongVoxelOf(*plan_.scene.camera, caches_.volume()->geometry());
-    for (double step : evenlySpread)
-      if (step <= most && step >= least && !resonates(step, alongVoxel)) return step;
-    return {};
+    return evenlySpreadStep(alongVoxelOf(*plan_.scene.camera, caches_.volume()->geometry()), most, least);
   }
 
   // Returns the next step to try, if any, for errors that are `off`: they grow with the square of the step.
@@ -130,18 +166,26 @@ class Pilot {
     return plan;
   }
 
-  // Tries plain steps at the first `count` tiles.
-  Result<Found> tried(double step, std::size_t count) {
+  // Draws the first `count` tiles by plain steps.
+  Result<Tried> drawn(double step, std::size_t count) const {
     // Planned as if the pilot had accepted them.
     PilotFinding accepted{step, true};
     accepted.redoneAbove = plan_.pilotSteps->redoneAbove;
     const auto plain = planOf(plan_.options, accepted);
     if (!plain) return plain.error();
-    followTruth(count);
     Tried tried{accepted, {}, {}};
     tried.nested = follow(*plain, 0, count, tried.picture);
     if (cancel_.cancelled()) return Error{"cancelled"};
-    return finding(count, tried);
+    return tried;
+  }
+
+  // Tries plain steps at the first `count` tiles.
+  Result<Found> tried(double step, std::size_t count) {
+    const auto steps = drawn(step, count);
+    if (!steps) return steps.error();
+    followTruth(count);
+    if (cancel_.cancelled()) return Error{"cancelled"};
+    return finding(count, *steps);
   }
 
   // Draws the fine picture at the first `count` tiles, with its own error.
@@ -176,6 +220,18 @@ class Pilot {
     return error;
   }
 
+  // Returns the probability with which a tile is among the first `count`.
+  double chanceOf(std::size_t n, std::size_t count) const {
+    return tiles_[n].chance * double(count) / double(tiles_.size());
+  }
+
+  template <class Visit>
+  void forEachPixel(const PilotTile& tile, const Visit& visit) const {
+    const glm::ivec2 end = glm::min(tile.corner + RayGenerator::tile, size_);
+    for (int y = tile.corner.y; y < end.y; ++y)
+      for (int x = tile.corner.x; x < end.x; ++x) visit(std::size_t(y) * size_.x + x);
+  }
+
   // Returns whether a pixel of a tile visibly differs from the background.
   bool shows(const Picture& picture, std::size_t pixel) const {
     const Background& b = plan_.scene.background;
@@ -199,7 +255,7 @@ class Pilot {
       const bool isSure = n % 4 == 3 && !plan_.scene.background.transparent;
       const double off = isSure ? apart : apart + truthError_[pixel];
       e.largest = std::max(e.largest, off);
-      e.square += off * off / 4;
+      e.square += off * off / componentsThatDiffer(plan_.scene.background.transparent);
     }
     return e;
   }
@@ -217,22 +273,18 @@ class Pilot {
     PilotErrors errors;
     double redone = 0, shown = 0, errorScale = 0;
     for (std::size_t n = 0; n < count; ++n) {
-      const glm::ivec2 corner = tiles_[n].corner, end = glm::min(corner + RayGenerator::tile, size_);
-      const double chance = tiles_[n].chance * double(count) / double(tiles_.size());
-      errors.beginTile(chance);
-      for (int y = corner.y; y < end.y; ++y)
-        for (int x = corner.x; x < end.x; ++x) {
-          const auto pixel = std::size_t(y) * size_.x + x;
-          // Promises for all pixels hold if those showing anything keep them.
-          if (!shows(tried.picture, pixel) && !shows(finePicture_, pixel)) continue;
-          const PixelError e = errorAt(pixel, tried);
-          errors.add(e.largest, e.square);
-          shown += 1 / chance;
-          if (isRedone(pixel, tried))
-            redone += 1 / chance;
-          else
-            errorScale = std::max(errorScale, e.largest / changeFromTwice(pixel, tried));
-        }
+      errors.beginTile(chanceOf(n, count));
+      forEachPixel(tiles_[n], [&](std::size_t pixel) {
+        // Promises for all pixels hold if those showing anything keep them.
+        if (!shows(tried.picture, pixel) && !shows(finePicture_, pixel)) return;
+        const PixelError e = errorAt(pixel, tried);
+        errors.add(e.largest, e.square);
+        shown += 1 / chanceOf(n, count);
+        if (isRedone(pixel, tried))
+          redone += 1 / chanceOf(n, count);
+        else
+          errorScale = std::max(errorScale, e.largest / changeFromTwice(pixel, tried));
+      });
     }
     const double step = tried.asIf.stepVoxels;
     if (errors.rays() == 0) return {{step}};
@@ -249,11 +301,9 @@ class Pilot {
     const double redoneShare = redone / shown;
     const double off = std::max(offOf(worst), std::min(redoneShare / mostRedone, 2.0));
     const bool kept = off <= (isPart ? mostOfPart : 1);
-    // A part of the tiles may be off by more than it tells, but not by more than the promise.
-    PilotErrors::Bounds told = worst;
-    if (kept && isPart)
-      told = {std::min(vagueness * worst.rmse, promisedRmse),
-              std::min(vagueness * worst.percentile99, promised.most99)};
+    // A part of the tiles tells of the promise alone, as it may have missed a small piece with larger errors.
+    const PilotErrors::Bounds told =
+        kept && isPart ? PilotErrors::Bounds{promisedRmse, promised.most99} : worst;
     return {{step, kept, errors.rays(), 20 * std::log10(255 / std::max(told.rmse, 1e-3)), told.percentile99,
              tried.asIf.redoneAbove, redoneShare, errorMargin * errorScale},
             off,

@@ -207,10 +207,11 @@ std::vector<PilotTile> pilotTiles(const Plan& plan, const VolumeFacts& facts, gl
   for (std::size_t n = 0; n < choices.size(); ++n)
     if (choices[n].chosen)
       tiles.push_back({tile * glm::ivec2(int(n) % grid.x, int(n) / grid.x), choices[n].chance});
-  std::vector<PilotTile> early, late;
-  for (std::size_t n = 0; n < tiles.size(); ++n) (n % 4 == 0 ? early : late).push_back(tiles[n]);
-  early.insert(early.end(), late.begin(), late.end());
-  return early;
+  // A quarter, or a half, of the tiles comes first.
+  std::vector<PilotTile> inOrder;
+  for (const std::size_t first : {0, 2, 1, 3})
+    for (std::size_t n = first; n < tiles.size(); n += 4) inOrder.push_back(tiles[n]);
+  return inOrder;
 }
 
 }  // namespace volumen

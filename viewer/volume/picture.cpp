@@ -23,7 +23,7 @@ std::vector<std::uint8_t> toBytes(const Picture& picture) {
 
 namespace {
 
-// Computes the errors from each pixel's largest difference and the sum of all components' squares.
+// Computes the errors from each pixel's largest difference and the sum over pixels of its mean square.
 PictureError errorOf(std::vector<double> largest, double squares) {
   PictureError e;
   if (largest.empty()) return e;
@@ -33,7 +33,7 @@ PictureError errorOf(std::vector<double> largest, double squares) {
   std::nth_element(largest.begin(), largest.begin() + (rank - 1), largest.end());
   e.percentile99 = largest[rank - 1];
   e.maximum = *std::max_element(largest.begin() + (rank - 1), largest.end());
-  e.rmse = std::sqrt(squares / (4.0 * double(count)));
+  e.rmse = std::sqrt(squares / double(count));
   e.psnrDb = e.rmse > 0 ? 20 * std::log10(255 / e.rmse) : std::numeric_limits<double>::infinity();
   return e;
 }
@@ -42,7 +42,7 @@ PictureError errorOf(std::vector<double> largest, double squares) {
 
 PictureError errorOf(const std::vector<float>& pixels255) {
   double squares = 0;
-  for (float d : pixels255) squares += 4 * double(d) * d;
+  for (float d : pixels255) squares += double(d) * d;
   return errorOf(std::vector<double>(pixels255.begin(), pixels255.end()), squares);
 }
 
@@ -55,6 +55,7 @@ PictureError compare(const Picture& a, const Picture& b, const std::vector<std::
   std::vector<double> largest;
   double squares = 0;
   const std::size_t pixels = std::size_t(a.size.x) * a.size.y;
+  const int components = componentsThatDiffer(a.transparent || b.transparent);
   for (std::size_t n = 0; n < pixels; ++n) {
     if (!use.empty() && !use[n]) continue;
     double most = 0;
@@ -62,7 +63,7 @@ PictureError compare(const Picture& a, const Picture& b, const std::vector<std::
       const double d = 255.0 * (double(a.rgba[4 * n + c]) - double(b.rgba[4 * n + c]));
       // A NaN must not pass as "no difference".
       most = std::isnan(d) ? std::numeric_limits<double>::infinity() : std::max(most, std::abs(d));
-      squares += d * d;
+      squares += d * d / components;
     }
     largest.push_back(most);
   }

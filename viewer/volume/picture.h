@@ -33,11 +33,14 @@ void toArgb(const float* rgba, std::size_t count, std::uint32_t* argb);
 /// premultiplied) colour, 0 where alpha is 0 (picture.md 6).
 std::vector<std::uint8_t> toBytes(const Picture& picture);
 
+/// Returns the number of components that can differ between pictures: alpha is 1 over an opaque background.
+inline int componentsThatDiffer(bool transparent) { return transparent ? 4 : 3; }
+
 /// Differences of two float pictures in units of 1/255, as defined in design.md 2.
 struct PictureError {
   double maximum = 0;       ///< Largest over pixels and RGBA
   double percentile99 = 0;  ///< Rank ceil(0.99 N) of the pixels' largest differences
-  double rmse = 0;          ///< Over all components
+  double rmse = 0;          ///< Over all components that can differ
   double psnrDb = 0;        ///< 20 log10(255 / rmse); infinity if rmse is 0
   double shareAbove2 = 0;   ///< Fraction of pixels off by more than 2/255
 };

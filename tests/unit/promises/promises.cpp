@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 #include <stdexcept>
 
 #include "tests/fixtures/need_gl.h"
@@ -18,6 +20,32 @@ T orThrow(Result<T> result) {
 }
 
 }  // namespace
+
+DraftError draftErrorOf(const Picture& draft, const Picture& standard) {
+  constexpr int edge = draftPromise.blockEdge;
+  const glm::ivec2 blocks = standard.size / edge;
+  double squares = 0;
+  glm::dvec4 all(0);
+  for (int by = 0; by < blocks.y; ++by)
+    for (int bx = 0; bx < blocks.x; ++bx) {
+      glm::dvec4 mean(0);
+      for (int n = 0; n < edge * edge; ++n) {
+        const int x = bx * edge + n % edge, y = by * edge + n / edge;
+        for (int c = 0; c < 4; ++c)
+          mean[c] += 255 * (double(draft.row(y)[4 * x + c]) - double(standard.row(y)[4 * x + c]));
+      }
+      mean /= edge * edge;
+      squares += glm::dot(mean, mean) / 4;
+      all += mean;
+    }
+  const double count = double(blocks.x) * blocks.y;
+  const glm::dvec4 off = glm::abs(all / count);
+  return {std::sqrt(squares / count), std::max({off.r, off.g, off.b, off.a})};
+}
+
+QString inWords(const DraftError& e) {
+  return QStringLiteral("RMSE of blocks %1, mean colour off by %2").arg(e.rmseOfBlocks).arg(e.meanColour);
+}
 
 std::vector<DrawWay> promisedWays() {
   std::vector<DrawWay> ways = drawWays();

@@ -27,6 +27,18 @@ constexpr Promise promiseAt(Quality quality) {
 inline constexpr Promise promises[] = {promiseAt(Quality::standard), promiseAt(Quality::high),
                                        promiseAt(Quality::exact)};
 
+/// How far a draft is from `standard`, in 1/255 (design.md 2): the RMSE of means over blocks, and the largest
+/// component of the mean difference. Only whole blocks count.
+struct DraftError {
+  double rmseOfBlocks = 0, meanColour = 0;
+
+  bool keepsPromise() const {
+    return rmseOfBlocks <= draftPromise.mostRmse && meanColour <= draftPromise.mostMeanColour;
+  }
+};
+DraftError draftErrorOf(const Picture& draft, const Picture& standard);
+QString inWords(const DraftError& e);
+
 inline RenderOptions atLevel(Quality quality) {
   RenderOptions options;
   options.quality = quality;

@@ -16,69 +16,6 @@ using glm::dmat3;
 using glm::dvec3;
 using glm::ivec3;
 
-using ValueAt = std::function<double(dvec3 pVoxel)>;
-
-ivec3 anySize(Chance& chance, int least = 10, int most = 28) {
-  ivec3 size;
-  for (int a = 0; a < 3; ++a) size[a] = least + chance.below(most - least + 1);
-  return size;
-}
-
-dmat3 spacing(dvec3 mm) {
-  dmat3 steps(1);
-  for (int a = 0; a < 3; ++a) steps[a][a] = mm[a];
-  return steps;
-}
-
-/// Returns a ball in 0 .. 1 whose edge is about two voxels wide.
-ValueAt ball(ivec3 size, double share = 0.3) {
-  return [=](dvec3 x) {
-    const dvec3 from = (x - dvec3(size - 1) * 0.48) / dvec3(size);
-    return std::erfc((glm::length(from) - share) * 12) / 2;
-  };
-}
-
-ValueAt noise(Chance& chance) {
-  const auto random = std::make_shared<Chance>(std::uint64_t(chance.below(1 << 30)));
-  return [random](dvec3) { return random->share(); };
-}
-
-/// Returns a curve of 2 to 6 points over the values of a volume, with at least one visible point.
-std::vector<CurvePoint> anyCurve(Chance& chance, ValueRange range) {
-  std::vector<CurvePoint> points;
-  for (double share : randomShares(chance, 2 + chance.below(5)))
-    points.push_back({valueIn(range, share), chance.colour(), chance.oneIn(3) ? 0 : chance.share()});
-  points.back().opacity = chance.between(0.1, 1);
-  return points;
-}
-
-/// Returns a ramp from 0 to `opacity` that begins at `start` and is `wide` wide (shares of the range).
-std::vector<CurvePoint> ramp(Chance& chance, ValueRange range, double start, double wide, double opacity) {
-  return {{valueIn(range, start), chance.colour(), 0},
-          {valueIn(range, start + wide), chance.colour(), opacity}};
-}
-
-/// Returns a triangular band about `middle`, `wide` to each side (shares of the range).
-std::vector<CurvePoint> band(Chance& chance, ValueRange range, double middle, double wide, double opacity) {
-  const dvec3 colour = chance.colour();
-  return {{valueIn(range, middle - wide), colour, 0},
-          {valueIn(range, middle), colour, opacity},
-          {valueIn(range, middle + wide), colour, 0}};
-}
-
-/// Sets up the scene that all kinds start from and then modify.
-void around(Chance& chance, RandomCase& c, VolumePtr volume) {
-  c.volume = std::move(volume);
-  const ValueRange range = valueRange(*c.volume);
-  c.scene.transferFunction.points = anyCurve(chance, range);
-  c.scene.transferFunction.unitDistance = voxelEdgeOf(c.volume->geometry()) * chance.power(-0.5, 1);
-  c.scene.window = windowAbout(chance, c.scene.mode, range, std::max(1e-6, range.high - range.low));
-  addRandomLight(chance, c.scene, 4, chance.oneIn(5) ? 3 : 1);
-  c.scene.shading.shininess = chance.power(0, 3);
-  c.scene.camera = randomCamera(chance, c.volume->geometry());
-  c.scene.background = randomBackground(chance);
-}
-
 void aroundBall(Chance& chance, RandomCase& c, const dmat3& steps = dmat3(1), double slope = 1,
                 double offset = 0) {
   const ivec3 size = anySize(chance);
@@ -89,8 +26,6 @@ void aroundBall(Chance& chance, RandomCase& c, const dmat3& steps = dmat3(1), do
 void aroundNoise(Chance& chance, RandomCase& c, const dmat3& steps = dmat3(1)) {
   around(chance, c, volumeOf(anySize(chance), steps, noise(chance)));
 }
-
-ValueRange rangeOf(const RandomCase& c) { return valueRange(*c.volume); }
 
 void checkers(Chance& chance, RandomCase& c) {
   around(chance, c, volumeOf<std::uint8_t>(anySize(chance), dmat3(1), [&](dvec3 x) {

@@ -12,9 +12,10 @@ namespace volumen::tests {
 enum class Family {
   pieces,  ///< boxes of the real test data in typical scenes
   hard,    ///< tiny volumes with values, grids, curves and lights at the limits of numerical range
-  attack   ///< thirty kinds of scenes chosen to break levels: lattices, thin things, far numbers
+  attack,  ///< thirty kinds of scenes chosen to break levels: lattices, thin things, far numbers
+  hostile  ///< scenes whose errors a pilot may miss: narrow peaks, resonance with steps, small details
 };
-inline constexpr Family families[] = {Family::pieces, Family::hard, Family::attack};
+inline constexpr Family families[] = {Family::pieces, Family::hard, Family::attack, Family::hostile};
 const char* nameOf(Family family);
 
 /// A volume, a scene and a picture size, drawn at random from a seed.

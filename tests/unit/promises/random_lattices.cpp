@@ -13,11 +13,11 @@ using glm::dmat3;
 using glm::dvec3;
 using glm::ivec3;
 
-/// Returns a lattice in 0 .. 1 with periods of 2 to 4 voxels.
+/// Returns a lattice in 0 .. 1 with periods of 2 to 8 voxels.
 std::function<double(dvec3 pVoxel)> anyLattice(Chance& chance) {
   ivec3 period, phase, along;
   for (int a = 0; a < 3; ++a)
-    period[a] = 2 + chance.below(3), phase[a] = chance.below(4), along[a] = chance.below(3);
+    period[a] = 2 + chance.below(7), phase[a] = chance.below(8), along[a] = chance.below(3);
   switch (chance.below(6)) {
     case 0:  // points
       return [=](dvec3 x) { return (ivec3(x) + phase) % period == ivec3(0); };

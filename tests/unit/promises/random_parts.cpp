@@ -1,20 +1,36 @@
 #include "tests/unit/promises/random_parts.h"
 
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
+#include <memory>
+
+#include "viewer/volume/histogram.h"
 
 namespace volumen::tests {
 
+using glm::dmat3;
 using glm::dvec3;
+using glm::ivec3;
 
 const char* nameOf(Family family) {
-  constexpr const char* names[] = {"pieces", "hard", "attack"};
+  constexpr const char* names[] = {"pieces", "hard", "attack", "hostile"};
   return names[int(family)];
 }
 
 RandomCase randomCase(Family family, std::uint64_t seed) {
-  if (family == Family::pieces) return randomPiece(Chance(seed));
-  return family == Family::hard ? randomHard(Chance(seed)) : randomAttack(Chance(seed));
+  const Chance chance(seed);
+  switch (family) {
+    case Family::pieces:
+      return randomPiece(chance);
+    case Family::hard:
+      return randomHard(chance);
+    case Family::attack:
+      return randomAttack(chance);
+    default:
+      return randomHostile(chance);
+  }
 }
 
 double radiusOf(const VoxelGeometry& geometry) {
@@ -152,5 +168,63 @@ glm::ivec2 randomPictureSize(Chance& chance) {
   const int width = 24 + chance.below(9);
   return {width, 24 + chance.below(9)};
 }
+
+ivec3 anySize(Chance& chance, int least, int most) {
+  ivec3 size;
+  for (int a = 0; a < 3; ++a) size[a] = least + chance.below(most - least + 1);
+  return size;
+}
+
+dmat3 spacing(dvec3 mm) {
+  dmat3 steps(1);
+  for (int a = 0; a < 3; ++a) steps[a][a] = mm[a];
+  return steps;
+}
+
+ValueAt ball(ivec3 size, double share) {
+  return [=](dvec3 x) {
+    const dvec3 from = (x - dvec3(size - 1) * 0.48) / dvec3(size);
+    return std::erfc((glm::length(from) - share) * 12) / 2;
+  };
+}
+
+ValueAt noise(Chance& chance) {
+  const auto random = std::make_shared<Chance>(std::uint64_t(chance.below(1 << 30)));
+  return [random](dvec3) { return random->share(); };
+}
+
+std::vector<CurvePoint> anyCurve(Chance& chance, ValueRange range) {
+  std::vector<CurvePoint> points;
+  for (double share : randomShares(chance, 2 + chance.below(5)))
+    points.push_back({valueIn(range, share), chance.colour(), chance.oneIn(3) ? 0 : chance.share()});
+  points.back().opacity = chance.between(0.1, 1);
+  return points;
+}
+
+std::vector<CurvePoint> ramp(Chance& chance, ValueRange range, double start, double wide, double opacity) {
+  return {{valueIn(range, start), chance.colour(), 0},
+          {valueIn(range, start + wide), chance.colour(), opacity}};
+}
+
+std::vector<CurvePoint> band(Chance& chance, ValueRange range, double middle, double wide, double opacity) {
+  const dvec3 colour = chance.colour();
+  return {{valueIn(range, middle - wide), colour, 0},
+          {valueIn(range, middle), colour, opacity},
+          {valueIn(range, middle + wide), colour, 0}};
+}
+
+void around(Chance& chance, RandomCase& c, VolumePtr volume) {
+  c.volume = std::move(volume);
+  const ValueRange range = valueRange(*c.volume);
+  c.scene.transferFunction.points = anyCurve(chance, range);
+  c.scene.transferFunction.unitDistance = voxelEdgeOf(c.volume->geometry()) * chance.power(-0.5, 1);
+  c.scene.window = windowAbout(chance, c.scene.mode, range, std::max(1e-6, range.high - range.low));
+  addRandomLight(chance, c.scene, 4, chance.oneIn(5) ? 3 : 1);
+  c.scene.shading.shininess = chance.power(0, 3);
+  c.scene.camera = randomCamera(chance, c.volume->geometry());
+  c.scene.background = randomBackground(chance);
+}
+
+ValueRange rangeOf(const RandomCase& c) { return valueRange(*c.volume); }
 
 }  // namespace volumen::tests

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "tests/fixtures/chance.h"
@@ -16,6 +17,9 @@ RandomCase randomPiece(Chance chance);
 RandomCase randomHard(Chance chance);
 /// Returns a scene of a kind chosen to break levels, in a volume of 10 .. 64 voxels an edge.
 RandomCase randomAttack(Chance chance);
+/// Returns a scene of a kind chosen so that pilots report too small an error, in a volume of 10 .. 96 voxels
+/// an edge.
+RandomCase randomHostile(Chance chance);
 /// Returns a lattice under a curve of two points that is about as steep as the limit for plain steps.
 RandomCase randomLattice(Chance& chance);
 /// Returns a unit vector along whole numbers of voxels, at most eight an axis.
@@ -48,5 +52,25 @@ Mode randomMode(Chance& chance);
 Window windowAbout(Chance& chance, Mode mode, ValueRange range, double width);
 Background randomBackground(Chance& chance);
 glm::ivec2 randomPictureSize(Chance& chance);
+
+/// The value at a position in voxel space.
+using ValueAt = std::function<double(glm::dvec3 pVoxel)>;
+glm::ivec3 anySize(Chance& chance, int least = 10, int most = 28);
+/// Returns the grid of a spacing in mm.
+glm::dmat3 spacing(glm::dvec3 mm);
+/// Returns a ball in 0 .. 1 whose edge is about two voxels wide.
+ValueAt ball(glm::ivec3 size, double share = 0.3);
+/// Returns independent random values in 0 .. 1, a new one for each call.
+ValueAt noise(Chance& chance);
+
+ValueRange rangeOf(const RandomCase& c);
+/// Returns a curve of 2 to 6 points over the values of a volume, with at least one visible point.
+std::vector<CurvePoint> anyCurve(Chance& chance, ValueRange range);
+/// Returns a ramp from 0 to `opacity` that begins at `start` and is `wide` wide (shares of the range).
+std::vector<CurvePoint> ramp(Chance& chance, ValueRange range, double start, double wide, double opacity);
+/// Returns a triangular band about `middle`, `wide` to each side (shares of the range).
+std::vector<CurvePoint> band(Chance& chance, ValueRange range, double middle, double wide, double opacity);
+/// Sets up the scene that all kinds of scenes start from and then modify.
+void around(Chance& chance, RandomCase& c, VolumePtr volume);
 
 }  // namespace volumen::tests

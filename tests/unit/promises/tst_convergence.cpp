@@ -35,7 +35,7 @@ class TestConvergence : public QObject {
 
 namespace {
 
-QString inWords(const std::vector<ErrorAt>& errors) {
+QString listed(const std::vector<ErrorAt>& errors) {
   QString words;
   for (const ErrorAt& e : errors) words += QStringLiteral("%1: %2; ").arg(e.h).arg(e.error.rmse);
   return words + QStringLiteral("slope %1").arg(slopeOf(errors));
@@ -84,8 +84,8 @@ void TestConvergence::addFields(bool everyWay) {
 void TestConvergence::stepsAreOfSecondOrder() {
   FETCH_FIELD();
   const auto errors = errorOverStep(f, lit, promisedWays()[std::size_t(way)].options);
-  print(inWords(errors));
-  QVERIFY2(slopeOf(errors) >= 1.9, qPrintable(inWords(errors)));
+  print(listed(errors));
+  QVERIFY2(slopeOf(errors) >= 1.9, qPrintable(listed(errors)));
 }
 
 // Covers trilinear interpolation and Sobel gradients over voxels of 1/2 .. 1/8 mm. A ramp has no such error.
@@ -93,12 +93,12 @@ void TestConvergence::gridsAreOfSecondOrder() {
   FETCH_FIELD();
   Q_UNUSED(way);
   const auto errors = errorOverGrid(f, lit);
-  print(inWords(errors));
+  print(listed(errors));
   if (f.name == std::string("ramp")) {
-    for (const ErrorAt& e : errors) QVERIFY2(e.error.maximum <= 0.05, qPrintable(inWords(errors)));
+    for (const ErrorAt& e : errors) QVERIFY2(e.error.maximum <= 0.05, qPrintable(listed(errors)));
     return;
   }
-  QVERIFY2(slopeOf(errors) >= 1.9, qPrintable(inWords(errors)));
+  QVERIFY2(slopeOf(errors) >= 1.9, qPrintable(listed(errors)));
 }
 
 // Covers bilinear interpolation between 6 x 6 to 48 x 48 pixels, which is the same for every method. Clamping
@@ -108,8 +108,8 @@ void TestConvergence::pixelsAreOfSecondOrder() {
   FETCH_FIELD();
   Q_UNUSED(way);
   const auto errors = errorOverPixel(f, lit, atStep(1.0 / 64));
-  print(inWords(errors));
-  QVERIFY2(slopeOf(errors) >= (lit ? 1.5 : 1.9), qPrintable(inWords(errors)));
+  print(listed(errors));
+  QVERIFY2(slopeOf(errors) >= (lit ? 1.5 : 1.9), qPrintable(listed(errors)));
 }
 
 void TestConvergence::gradientsPointOutwards_data() {

@@ -1,7 +1,7 @@
 // Guards design.md 2 (levels): the promises on scenes in which a level missed one on 23 November 2026
 // (../shared/data/promise-cases), and on the other scenes and volumes of that folder. Also covers scenes that
-// missed one or gave a non-finite number on 26 November (level-cases). With VOLUMEN_FIGURES set, prints the
-// figures of each row.
+// missed one or gave a non-finite number on 26 and 28 November (level-cases, level-cases-2). With
+// VOLUMEN_FIGURES set, prints the figures of each row.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -55,13 +55,14 @@ std::vector<PromiseCase> listedCases() {
   return cases;
 }
 
-/// Returns the cases of level-cases/cases.tsv. Each volume and scene is named like its case.
+/// Returns the cases of cases.tsv in both folders level-cases. Each volume and scene is named like its case.
 std::vector<PromiseCase> levelCases() {
   std::vector<PromiseCase> cases;
-  for (const QByteArrayList& fields : rowsOf("level-cases/cases.tsv", 5)) {
-    const std::string name = fields[0].toStdString();
-    cases.push_back({name, "level-cases", name + ".nrrd", name + ".json", sizeIn(fields[1])});
-  }
+  for (const std::string folder : {"level-cases", "level-cases-2"})
+    for (const QByteArrayList& fields : rowsOf(folder + "/cases.tsv", 5)) {
+      const std::string name = fields[0].toStdString();
+      cases.push_back({name, folder, name + ".nrrd", name + ".json", sizeIn(fields[1])});
+    }
   return cases;
 }
 

@@ -45,11 +45,15 @@ Q_DECLARE_METATYPE(Family)
 class TestRandomPilots : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void thePictureKeepsThePromise_data();
+  void thePictureKeepsThePromise_data() { addCases(); }
   void thePictureKeepsThePromise();
+  void aDraftIsStandardSeenFromAfar_data() { addCases(); }
+  void aDraftIsStandardSeenFromAfar();
   void cleanupTestCase();
 
  private:
+  static void addCases();
+
   /// Pixels of pictures that show anything, and how many of them are off by more than their picture says.
   struct Coverage {
     std::int64_t pixels = 0, above = 0;
@@ -79,7 +83,7 @@ class TestRandomPilots : public QObject {
   double worstAbove_ = 0;
 };
 
-void TestRandomPilots::thePictureKeepsThePromise_data() {
+void TestRandomPilots::addCases() {
   QTest::addColumn<Family>("family");
   QTest::addColumn<quint64>("seed");
   const QString only = qEnvironmentVariable("VOLUMEN_RANDOM_FAMILY");
@@ -132,6 +136,27 @@ void TestRandomPilots::thePictureKeepsThePromise() {
     if (figuresWanted()) std::fprintf(stderr, "%s: %s\n", QTest::currentDataTag(), qPrintable(words));
     QVERIFY2(promise.keptBy(e) && e.psnrDb >= told.psnrDb, qPrintable(words));
   }
+}
+
+void TestRandomPilots::aDraftIsStandardSeenFromAfar() {
+  QFETCH(Family, family);
+  QFETCH(quint64, seed);
+  const RandomCase c = randomCase(family, seed);
+  NEED_VOLUME(c.volume);
+  RenderCaches caches(c.volume);
+  const auto drawnAt = [&](Quality quality) {
+    RenderOptions options = atLevel(quality);
+    options.size = glm::ivec2(8 * draftPromise.blockEdge);
+    return render(*makePlan(c.scene, caches.facts(), options), caches);
+  };
+  const Rendered draft = *drawnAt(Quality::draft);
+  const DraftError e = draftErrorOf(draft.picture, drawnAt(Quality::standard)->picture);
+  const QString steps = draft.plan.cellByCell
+                            ? QStringLiteral("cell by cell")
+                            : QStringLiteral("plain steps of %1 voxel").arg(draft.plan.stepVoxels);
+  const QString words = QStringLiteral("%1, %2: %3").arg(steps, inWords(e), QString::fromStdString(c.what));
+  if (figuresWanted()) std::fprintf(stderr, "%s, draft: %s\n", QTest::currentDataTag(), qPrintable(words));
+  QVERIFY2(e.keepsPromise(), qPrintable(words));
 }
 
 void TestRandomPilots::cleanupTestCase() {

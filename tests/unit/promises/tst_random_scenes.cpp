@@ -1,5 +1,5 @@
 // Guards design.md 2 (levels, finite, determinism, --full) on random scenes: boxes of real studies, tiny hard
-// volumes, and kinds of attacks.
+// volumes, kinds of attacks, and scenes hostile to pilots.
 // VOLUMEN_RANDOM_CASES=N: N seeds of the first and half as many of the others, from VOLUMEN_RANDOM_SEED on.
 // VOLUMEN_RANDOM_FAMILY=NAME: N seeds of that family alone.
 // VOLUMEN_RANDOM_SAVE=DIR: writes failing cases there.

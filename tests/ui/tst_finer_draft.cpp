@@ -1,5 +1,4 @@
-// Guards design.md 8: after a real drag, a slow picture is preceded by a first one of plain steps, and both
-// are shown.
+// Guards design.md 8: after a real drag, a slow picture is preceded by a finer draft, and both are shown.
 #include <QSignalSpy>
 #include <QThread>
 
@@ -39,13 +38,13 @@ Draw slowDraw(const VoxelsPtr&) {
 
 }  // namespace
 
-class TestFirstThenFinal : public QObject {
+class TestFinerDraft : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void aDragEndsInAFirstPictureAndThenTheFinalOne();
+  void aDragEndsInAFinerDraftAndThenTheFinalPicture();
 };
 
-void TestFirstThenFinal::aDragEndsInAFirstPictureAndThenTheFinalOne() {
+void TestFinerDraft::aDragEndsInAFinerDraftAndThenTheFinalPicture() {
   Services services = realServices();
   services.makeDraw = slowDraw;
   MainWindow window(services);
@@ -67,13 +66,12 @@ void TestFirstThenFinal::aDragEndsInAFirstPictureAndThenTheFinalOne() {
   QTRY_VERIFY_WITH_TIMEOUT(!settled.isEmpty(), waitMs);
   QVERIFY(allShown);
   QVERIFY(pictures.size() >= 3);
-  const ScreenPicture &draft = pictures[pictures.size() - 3], &first = pictures[pictures.size() - 2],
+  const ScreenPicture &draft = pictures[pictures.size() - 3], &finer = pictures[pictures.size() - 2],
                       &rest = pictures.back();
   QVERIFY(rest.atRest && rest.factor == 1);
-  QVERIFY(first.draft() && first.step == 1.0 && first.factor < draft.factor);
-  QVERIFY(!draft.step && !rest.step);
-  QVERIFY2(draft.scene == first.scene && first.scene == rest.scene, "nothing jumps");
+  QVERIFY(finer.draft() && finer.quality == Quality::draft && finer.factor < draft.factor);
+  QVERIFY2(draft.scene == finer.scene && finer.scene == rest.scene, "nothing jumps");
 }
 
-VOLUMEN_TEST(TestFirstThenFinal);
-#include "tst_first_then_final.moc"
+VOLUMEN_TEST(TestFinerDraft);
+#include "tst_finer_draft.moc"

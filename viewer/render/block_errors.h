@@ -1,0 +1,32 @@
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <vector>
+
+namespace volumen {
+
+/// Estimates how far the means over blocks of pixels are off in a whole picture, from a sample of its blocks.
+class BlockErrors {
+ public:
+  /// Starts a block that was sampled with this probability; the following pixels belong to it.
+  void beginBlock(double chance);
+  /// Adds the difference of a pixel, 1/255.
+  void add(const glm::dvec4& off);
+
+  struct Bounds {
+    double rmse = 0;        ///< Of means over blocks, 1/255
+    double meanColour = 0;  ///< Largest component of the mean difference, 1/255
+  };
+  /// Returns the estimate plus two standard deviations.
+  Bounds worst() const;
+
+ private:
+  struct Block {
+    double weight = 0;
+    glm::dvec4 sum{0};
+    int pixels = 0;
+  };
+  std::vector<Block> blocks_;
+};
+
+}  // namespace volumen
