@@ -34,21 +34,16 @@ class RestCost {
   void draftTook(double ms, double factor) { draftMs_ = ms * factor * factor; }
   /// Records the time of the picture at rest after that draft, with one ray per edge x edge pixels.
   void restTook(double ms, int edge) {
-    if (!(draftMs_ > 0)) return;
-    timesDraft_ = ms * edge * edge / draftMs_;
-    isMeasured_ = true;
+    if (draftMs_ > 0) timesDraft_ = ms * edge * edge / draftMs_;
   }
   /// Returns the expected time of the picture at rest, ms.
   double expected(int edge) const { return timesDraft_ * draftMs_ / (edge * edge); }
-  /// Returns whether the picture at rest is as fast as a draft, by earlier ones.
-  bool isWithin(double budgetMs, int edge) const { return isMeasured_ && expected(edge) <= budgetMs; }
   /// Returns the factor of a second, finer draft before the picture at rest: the finest that takes at most a
   /// third as long. Returns nothing if the picture at rest comes soon anyway or the draft was about as fine.
   std::optional<double> factorOfFiner(double draft, int edge) const;
 
  private:
   double draftMs_ = 0;  // time of the last draft, scaled to full resolution
-  bool isMeasured_ = false;
   double timesDraft_ =
       3;  // time per ray at rest relative to a draft; initially as measured on chest and head
 };

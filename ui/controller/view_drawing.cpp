@@ -6,8 +6,7 @@ namespace volumen {
 
 Pass ViewDrawing::draftPass(PictureLevel rest) const {
   const double factor = pace_.factor();
-  const bool isFast = cost_.isWithin(pace_.budgetMs(), rest.edge);
-  if (isFast || (rest.quality == Quality::draft && rest.edge >= factor)) return restPass(rest);
+  if (rest.quality == Quality::draft && rest.edge >= factor) return restPass(rest);
   return {Quality::draft, factor};
 }
 

@@ -15,10 +15,11 @@ class ViewDrawing {
   int shownAt() const { return shownAt_; }
   const Draw& draw() const { return draw_; }
 
-  /// Returns the pass of a draft, never finer than the picture at rest, or that itself if it is as fast.
+  /// Returns the pass of a draft, never finer than the picture at rest.
   Pass draftPass(PictureLevel rest) const;
   /// Returns the factor of a second draft before a slow picture at rest.
   std::optional<double> factorOfFiner(PictureLevel rest) const {
+    if (rest.quality == Quality::draft) return {};
     return cost_.factorOfFiner(drafted_, rest.edge);
   }
   /// Returns whether the same scene is on screen at the same size, at least as a draft.

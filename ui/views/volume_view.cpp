@@ -12,7 +12,6 @@
 #include "ui/widgets/plain_text.h"
 #include "ui/widgets/warning_badge.h"
 #include "ui/workspace/moved_cursors.h"
-#include "viewer/plan/rule_lines.h"
 #include "viewer/scene/visible_range.h"
 
 namespace volumen {

@@ -76,6 +76,9 @@ std::optional<EvenStep> evenStep(const RuleInput& in) {
   const RenderOptions& o = in.options;
   if (in.facts.gradientBounds.empty() || !isWholeLevel(o)) return {};
   if (!in.scene.transferFunction.gradientOpacity.empty()) return {};
+  // Along a slope of values a comb of peaks repeats, and all samples may meet the same place of each tooth.
+  constexpr int mostTurns = 8;
+  if (turnsOf(in.scene.transferFunction) > mostTurns) return {};
   const Steepness s = steepnessOf(in.scene.transferFunction, in.facts);
   const double bright = std::max(1.0, brightest(in.scene));
   const double voxelMm = longestVoxelMm(*in.scene.camera, in.facts.geometry);
@@ -181,7 +184,7 @@ std::string toldBy(const PilotFinding& pilot) {
   if (pilot.rays == 0) return "no ray that was tried shows anything";
   if (pilot.psnrDb == 0)
     return std::to_string(pilot.rays) +
-           " rays of this picture, also followed cell by cell, tell of blocks within " +
+           " rays of this picture, also followed cell by cell, tell of means over blocks within " +
            inDigits(std::ceil(100 * pilot.blockRmse) / 100, 3) + "/255 and a mean colour within " +
            inDigits(std::ceil(100 * pilot.meanColour) / 100, 3) + "/255";
   // Rounded towards the weaker promise.

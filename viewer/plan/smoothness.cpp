@@ -64,4 +64,20 @@ Steepness steepnessOf(const TransferFunction& curve, const VolumeFacts& facts) {
   return all;
 }
 
+int turnsOf(const TransferFunction& curve) {
+  const auto turns = [&](const auto& valueOf) {
+    int count = 0;
+    double before = 0;  // last change that is not 0
+    for (std::size_t n = 0; n + 1 < curve.points.size(); ++n) {
+      const double change = valueOf(curve.points[n + 1]) - valueOf(curve.points[n]);
+      count += change * before < 0;
+      if (change != 0) before = change;
+    }
+    return count;
+  };
+  int most = turns([](const CurvePoint& p) { return p.opacity; });
+  for (int c = 0; c < 3; ++c) most = std::max(most, turns([c](const CurvePoint& p) { return p.colour[c]; }));
+  return most;
+}
+
 }  // namespace volumen

@@ -15,4 +15,8 @@ struct Steepness {
 };
 Steepness steepnessOf(const TransferFunction& curve, const VolumeFacts& facts);
 
+/// Returns how often the opacity or a colour of the curve turns from rising to falling or back; the largest
+/// number of the four.
+int turnsOf(const TransferFunction& curve);
+
 }  // namespace volumen

@@ -20,7 +20,7 @@ BlockErrors::Bounds BlockErrors::worst() const {
   glm::dvec4 mean(0), meanDeviates(0);
   for (const Block& b : blocks_) {
     const glm::dvec4 off = b.sum / double(std::max(1, b.pixels));
-    const double square = glm::dot(off, off) / 4;
+    const double square = glm::dot(off, off) / components_;
     weights += b.weight;
     squares += b.weight * square;
     squaresDeviate += b.weight * b.weight * square * square;

@@ -8,6 +8,9 @@ namespace volumen {
 /// Estimates how far the means over blocks of pixels are off in a whole picture, from a sample of its blocks.
 class BlockErrors {
  public:
+  /// `components`: how many of the four can differ (componentsThatDiffer).
+  explicit BlockErrors(int components) : components_(components) {}
+
   /// Starts a block that was sampled with this probability; the following pixels belong to it.
   void beginBlock(double chance);
   /// Adds the difference of a pixel, 1/255.
@@ -26,6 +29,7 @@ class BlockErrors {
     glm::dvec4 sum{0};
     int pixels = 0;
   };
+  int components_;
   std::vector<Block> blocks_;
 };
 

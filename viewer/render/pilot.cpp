@@ -65,7 +65,7 @@ class Pilot {
     fine_ = std::move(*fine);
     if (plan_.options.quality == Quality::draft) return ofDraft();
     // A part of the tiles is enough where the errors leave room for what it may have missed.
-    const std::size_t all = tiles_.size(), few = all / (all / 4 >= leastPart ? 4 : 2);
+    const std::size_t all = tiles_.size(), few = all / 4 >= leastPart ? all / 4 : half();
     auto found = tried(stepUpTo(plan_.pilotSteps->first, 0).value_or(plan_.pilotSteps->first), few);
     for (int more = 0; found && more < mostFurtherTries; ++more) {
       const auto step = betterStep(*found, found->off, shorter);
@@ -87,26 +87,30 @@ class Pilot {
   }
 
  private:
+  // Returns the number of half of the tiles, or of all if they are few.
+  std::size_t half() const { return std::max(std::min(tiles_.size(), leastPart), tiles_.size() / 2); }
+
   // Returns the error budget of the fine rays, 1/255.
   double errorOfTruth() const {
     const Quality quality = plan_.options.quality;
-    return quality == Quality::draft ? levelOf(quality).rayBudget : promiseOf(quality).most99 * shareOfTruth;
+    if (quality == Quality::draft) return levelOf(Quality::standard).rayBudget;
+    return promiseOf(quality).most99 * shareOfTruth;
   }
 
   // Lets a draft take plain steps if the means over blocks of pixels keep its promise. A tile of rays covers
   // about one block.
   Result<PilotFinding> ofDraft() {
-    const std::size_t count = tiles_.size() / 2;
+    const std::size_t count = half();
     PilotFinding told;
     for (const double most : {plan_.pilotSteps->first, shorterInDrafts}) {
-      const auto step = stepUpTo(most, 0);
-      if (!step) continue;
+      const auto step = stepUpTo(most, std::min(most, plan_.pilotSteps->shortest));
+      if (!step || (told.rays > 0 && *step == told.stepVoxels)) continue;
       const auto tried = drawn(*step, count);
       if (!tried) return tried.error();
       followTruth(count);
       if (cancel_.cancelled()) return Error{"cancelled"};
       told = tried->asIf;
-      BlockErrors errors;
+      BlockErrors errors(componentsThatDiffer(plan_.scene.background.transparent));
       for (std::size_t n = 0; n < count; ++n) {
         errors.beginBlock(chanceOf(n, count));
         forEachPixel(tiles_[n], [&](std::size_t pixel) {
@@ -120,8 +124,8 @@ class Pilot {
       const BlockErrors::Bounds worst = errors.worst();
       told.blockRmse = worst.rmse;
       told.meanColour = worst.meanColour;
-      told.kept = told.rays > 0 && worst.rmse <= draftPromise.mostRmse &&
-                  worst.meanColour <= draftPromise.mostMeanColour;
+      told.kept = told.rays > 0 && worst.rmse <= mostOfPart * draftPromise.mostRmse &&
+                  worst.meanColour <= mostOfPart * draftPromise.mostMeanColour;
       if (told.kept || told.rays == 0) break;
     }
     return told;

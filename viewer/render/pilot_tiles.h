@@ -17,7 +17,7 @@ struct PilotTile {
 /// Returns about a quarter of the tiles of a picture of `size` that `plan` would draw. Half of them are
 /// spread evenly; the others lie where values change most along the rays. The volume's blocks tell this, so
 /// that nothing larger than a block is missed. The result depends only on the plan and the facts. Its first
-/// quarter is a sample of all tiles.
+/// quarter and half are samples of all tiles.
 std::vector<PilotTile> pilotTiles(const Plan& plan, const VolumeFacts& facts, glm::ivec2 size);
 
 }  // namespace volumen

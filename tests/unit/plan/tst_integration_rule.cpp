@@ -95,6 +95,12 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
     evenMatter(a);
     a.facts.gradientBounds.assign(256, 9000);
   });
+  row("a comb of peaks may repeat along rays", "integration", atStandard.c_str(), [](Asked& a) {
+    evenMatter(a);
+    auto& points = a.scene.transferFunction.points;
+    points.clear();
+    for (int n = 0; n < 11; ++n) points.push_back({float(100 * n), {}, 0.001 * (n % 2)});
+  });
   row("four hundred times as much changes", "integration", "on 0.1847 voxel 0.011 2 plain slope",
       [](Asked& a) {
         evenMatter(a);

@@ -35,7 +35,7 @@ DraftError draftErrorOf(const Picture& draft, const Picture& standard) {
           mean[c] += 255 * (double(draft.row(y)[4 * x + c]) - double(standard.row(y)[4 * x + c]));
       }
       mean /= edge * edge;
-      squares += glm::dot(mean, mean) / 4;
+      squares += glm::dot(mean, mean) / componentsThatDiffer(standard.transparent);
       all += mean;
     }
   const double count = double(blocks.x) * blocks.y;
