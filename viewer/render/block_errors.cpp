@@ -9,9 +9,14 @@ namespace volumen {
 
 void BlockErrors::beginBlock(double chance) { blocks_.push_back({1 / chance}); }
 
-void BlockErrors::add(const glm::dvec4& off) {
-  blocks_.back().sum += off;
-  ++blocks_.back().pixels;
+void BlockErrors::add(const glm::dvec4& off, bool shows) {
+  Block& b = blocks_.back();
+  b.sum += off;
+  ++b.pixels;
+  if (!shows) return;
+  ++shown_;
+  shownInAll_ += b.weight;
+  squaresOfShown_ += b.weight * glm::dot(off, off) / components_;
 }
 
 BlockErrors::Bounds BlockErrors::worst() const {
@@ -30,7 +35,8 @@ BlockErrors::Bounds BlockErrors::worst() const {
   if (!(weights > 0)) return {};
   const glm::dvec4 most = (glm::abs(mean) + deviations * glm::sqrt(meanDeviates)) / weights;
   return {std::sqrt((squares + deviations * std::sqrt(squaresDeviate)) / weights),
-          std::max({most.r, most.g, most.b, most.a})};
+          std::max({most.r, most.g, most.b, most.a}),
+          shown_ > 0 ? std::sqrt(squaresOfShown_ / shownInAll_) : 0};
 }
 
 }  // namespace volumen

@@ -37,6 +37,9 @@ constexpr double mostRedone = 0.01;
 // The second step that is tried for a draft, voxels.
 constexpr double shorterInDrafts = 0.4393;
 
+// Largest RMSE of what a draft shows, 1/255: above it surfaces look grained like wood. It is no promise.
+constexpr double mostGrain = 3.2;
+
 // If a part of the tiles decides, its errors may reach this share of the promise.
 constexpr double mostOfPart = 0.9;
 
@@ -117,15 +120,16 @@ class Pilot {
           glm::dvec4 off;
           for (int c = 0; c < 4; ++c)
             off[c] = 255 * (double(tried->picture.rgba[4 * pixel + c]) - finePicture_.rgba[4 * pixel + c]);
-          errors.add(off);
-          told.rays += shows(tried->picture, pixel) || shows(finePicture_, pixel);
+          errors.add(off, shows(tried->picture, pixel) || shows(finePicture_, pixel));
         });
       }
       const BlockErrors::Bounds worst = errors.worst();
+      told.rays = errors.shown();
       told.blockRmse = worst.rmse;
       told.meanColour = worst.meanColour;
       told.kept = told.rays > 0 && worst.rmse <= mostOfPart * draftPromise.mostRmse &&
-                  worst.meanColour <= mostOfPart * draftPromise.mostMeanColour;
+                  worst.meanColour <= mostOfPart * draftPromise.mostMeanColour &&
+                  worst.rmseOfShown <= mostGrain;
       if (told.kept || told.rays == 0) break;
     }
     return told;

@@ -9,8 +9,6 @@ namespace volumen {
 
 namespace {
 
-constexpr double mostValue = 1e30;  // as of volumes
-
 // Keeps the first broken rule (picture.md 8, table of allowed values) as a sentence.
 class Rules {
  public:
@@ -81,7 +79,7 @@ void check(Rules& rules, const TransferFunction& curve) {
   if (!rules.problem.empty()) return;
   for (std::size_t n = 0; n < curve.points.size(); ++n) {
     const CurvePoint& p = curve.points[n];
-    rules.within(item(points, n) + ".value", shortestDouble(p.value), -mostValue, mostValue);
+    rules.finite(item(points, n) + ".value", double(p.value));
     rules.colour(item(points, n) + ".colour", p.colour);
     rules.within(item(points, n) + ".opacity", p.opacity, 0, 1);
     if (n) inOrder(rules, points, "value", n, curve.points[n - 1].value, p.value);

@@ -32,7 +32,7 @@ AreaSmoothing areaSmoothing(const VoxelGeometry& geometry);
 /// Tougne 2003). The normal is the gradient of the mask after a Gaussian along the grid axes.
 /// Gaussians round edges, which loses area in proportion to their width. The results of two Gaussians are
 /// therefore extrapolated to width 0, except where their normals differ by 10 degrees or more, as in thin
-/// structures. Nothing outside the grid is in the mask. resources/docs/accuracy.md states the errors. Runs on
+/// structures. Nothing outside the grid is in the mask. resources/docs/segment.md states the errors. Runs on
 /// all cores, with the same result for any number of threads. If cancelled, returns the sum so far.
 /// Three alternatives are worse on the whole. Crofton's formula with up to 80 directions is off by -6.6 %
 /// (cylinder 10 x 40 mm) and -13.9 % (box) at worst on slices of 2.5 mm, by -9.3 and -16.0 % on 5 mm. The

@@ -164,7 +164,7 @@ void TestStudy::errorsOfMadeUpPictures() {
   const PictureError e = compare(other, truth);
   QVERIFY(std::abs(e.maximum - by) < 1e-4);
   QVERIFY(std::abs(e.percentile99 - p99) < 1e-4);
-  QVERIFY(std::abs(e.rmse - std::sqrt(by * by * off / 800)) < 1e-4);
+  QVERIFY(std::abs(e.rmse - std::sqrt(by * by * off / 600)) < 1e-4);
   QVERIFY(off == 0 ? std::isinf(e.psnrDb) : std::abs(e.psnrDb - 20 * std::log10(255 / e.rmse)) < 1e-9);
   QCOMPARE(e.shareAbove2, share);
 }
