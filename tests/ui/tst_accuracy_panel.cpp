@@ -291,8 +291,7 @@ void TestAccuracyPanel::theErrorIsShownInPlaceOfThePicture() {
   QVERIFY(!box->isChecked());
 }
 
-// A soft curve is drawn by plain steps, and a pilot predicts their error. While its error map is shown, the
-// picture is drawn cell by cell.
+// A soft curve is drawn by plain steps, and a pilot predicts their error, which the map shows.
 void TestAccuracyPanel::stepsOfAPilotTellTheirErrorToo() {
   AccuracyWindow w;
   QVERIFY(w.openPanel());

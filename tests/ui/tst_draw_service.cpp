@@ -128,7 +128,6 @@ void TestDrawService::theLevelAtRestIsDrawn() {
 
 void TestDrawService::anotherLevelOfTheSamePictureNeedsNoDraft() {
   SlowRenderer renderer;
-  renderer.microsecondsPerPixel = 15;  // no picture at rest within the frame time
   Watched w(renderer.make());
   w.service.request(0, greyScene(0.5), {64, 64});
   QTRY_VERIFY(w.atRest());

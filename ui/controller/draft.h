@@ -44,8 +44,8 @@ class RestCost {
 
  private:
   double draftMs_ = 0;  // time of the last draft, scaled to full resolution
-  double timesDraft_ =
-      3;  // time per ray at rest relative to a draft; initially as measured on chest and head
+  // Time of a ray at rest relative to one of a draft; initially as measured on chest and head.
+  double timesDraft_ = 3;
 };
 
 /// The size and camera of a smaller picture with the same content. The size is rounded up, and the camera

@@ -54,10 +54,8 @@ PlannedPass planPass(const Draw& draw, const Volume& volume, const ScreenRequest
 
 Result<DrawnPass> drawPass(const Draw& draw, const Volume& volume, const ScreenRequest& request, Pass pass,
                            const CancelToken& cancel, const PlannedPass* ahead) {
-  if (!ahead) {
-    const PlannedPass now = planPass(draw, volume, request, pass, Clock::now(), cancel);
-    return drawPass(draw, volume, request, pass, cancel, &now);
-  }
+  std::optional<PlannedPass> now;
+  if (!ahead) ahead = &now.emplace(planPass(draw, volume, request, pass, Clock::now(), cancel));
   if (!ahead->planned) return ahead->planned.error();
   Result<Drawn> drawn = draw.picture(*ahead->planned, cancel);
   if (!drawn) return drawn.error();

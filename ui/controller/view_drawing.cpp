@@ -17,8 +17,8 @@ void ViewDrawing::drew(const ScreenPicture& picture, const ScreenRequest& reques
   if (picture.quality == Quality::draft) {
     if (picture.factor == pace_.factor()) pace_.measured(ms);
     cost_.draftTook(ms, picture.factor);
-  }
-  if (picture.atRest) cost_.restTook(ms, request.level.edge);
+  } else if (picture.atRest)
+    cost_.restTook(ms, request.level.edge);
   drafted_ = picture.factor;
   seen_ = request;
 }

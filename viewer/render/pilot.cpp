@@ -80,7 +80,7 @@ class Pilot {
     }
     if (!found) return found.error();
     if (found->told.kept) return found->told;
-    // Four times as many tiles halve what may have been missed.
+    // Two to four times as many tiles leave less that may have been missed.
     const auto step = found->told.rays == 0 ? found->told.stepVoxels
                                             : betterStep(*found, (found->off + found->likely) / 2, 1);
     if (!step) return found->told;
@@ -150,7 +150,7 @@ class Pilot {
     std::vector<float> nested;  ///< 1/255; about 0 if no ray can be redone
   };
 
-  // Returns the longest step from `least` to `most` that does not resonate with the grid.
+  // Returns the longest step from `least` to `most` that may be tried for this camera.
   std::optional<double> stepUpTo(double most, double least) const {
     return evenlySpreadStep(alongVoxelOf(*plan_.scene.camera, caches_.volume()->geometry()), most, least);
   }

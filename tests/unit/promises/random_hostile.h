@@ -13,7 +13,7 @@ struct Kind {
   const char* name;
   void (*make)(Chance& chance, RandomCase& c);
 };
-/// Returns curves with narrow peaks, steps and combs, and gradient opacities.
+/// Returns scenes with narrow peaks, steps and combs in the curve or in the gradient opacity.
 std::span<const Kind> curveKinds();
 /// Returns scenes whose values repeat along rays with the period of a plain step.
 std::span<const Kind> resonantKinds();
@@ -41,13 +41,13 @@ ValueAt network(Chance& chance);
 /// Returns values like those of a CT in HU: air, smooth tissue, bone, and noise of this amplitude.
 ValueAt ctValues(Chance& chance, glm::ivec3 size, double noiseHu);
 
-// Parts of scenes.
+// Cameras, curves and volumes that several kinds share.
 
 /// Returns a unit vector along an axis, along small whole numbers of voxels, or any.
 glm::dvec3 anyDirection(Chance& chance);
 /// Returns the direction itself or one that is up to 0.1 off.
 glm::dvec3 nearly(Chance& chance, glm::dvec3 direction);
-/// Sets a parallel camera that shows `share` of the box.
+/// Sets a parallel camera along `direction`. `share` of the box's height fills the picture.
 void lookAlong(Chance& chance, RandomCase& c, glm::dvec3 direction, double share = 0.8);
 /// Places a wide perspective camera inside the box.
 void lookFromInside(Chance& chance, RandomCase& c);

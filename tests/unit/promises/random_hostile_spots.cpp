@@ -18,7 +18,8 @@ using glm::ivec3;
 /// A share 0 .. 1 at a position in the picture, which is -0.5 .. 0.5 in both directions.
 using ShareAt = std::function<double(dvec2 place)>;
 
-/// A grid of 1 mm and a parallel view of it, known before the values are.
+/// A grid of 1 mm and a parallel view of it. The values of its voxels depend on where they are in the
+/// picture.
 struct Sight {
   VoxelGeometry geometry;
   Camera camera;

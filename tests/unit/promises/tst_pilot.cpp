@@ -105,6 +105,8 @@ class TestPilot : public QObject {
  private Q_SLOTS:
   void thePictureKeepsThePromise_data();
   void thePictureKeepsThePromise();
+  void aDraftTakesStepsThatKeepItsMeans_data();
+  void aDraftTakesStepsThatKeepItsMeans();
   void itMeetsNoCellsInTheSamePlaces();
   void itSaysTheWorstThatThePictureMayHave();
   void itDependsOnThePictureAlone_data();
@@ -182,6 +184,43 @@ void TestPilot::thePictureKeepsThePromise() {
   QCOMPARE(steps.join(QLatin1Char(' ')), taken);
 }
 
+void TestPilot::aDraftTakesStepsThatKeepItsMeans_data() {
+  QTest::addColumn<VolumePtr>("volume");
+  QTest::addColumn<Change>("change");
+  QTest::addColumn<int>("edge");
+  QTest::addColumn<double>("taken");  // 0: cell by cell
+  const auto row = [](const char* name, const VolumePtr& volume, int edge, double taken, Change change) {
+    QTest::newRow(name) << volume << change << edge << taken;
+  };
+  const VolumePtr soft = ball(Within::nothing, 0);
+  row("a soft ball", soft, 128, 0.7236, [](Scene&) {});
+  row("as a thumbnail", soft, 24, 0.7236, [](Scene&) {});
+  row("one pixel", soft, 1, 0.7236, [](Scene&) {});
+  row("noise", noise(), 128, 0.382, [](Scene&) {});
+  row("noise, a steep curve", noise(), 128, 0, steep);
+  row("stripes of one voxel, a steep curve", plates(2), 128, 0, steep);
+}
+
+void TestPilot::aDraftTakesStepsThatKeepItsMeans() {
+  QFETCH(VolumePtr, volume);
+  QFETCH(Change, change);
+  QFETCH(int, edge);
+  RenderCaches caches(volume);
+  Scene scene = sceneOf(0.9);
+  change(scene);
+  const auto drawnAt = [&](Quality quality) {
+    RenderOptions options = optionsOf(quality);
+    options.size = {edge, edge};
+    return *render(*makePlan(scene, caches.facts(), options), caches);
+  };
+  const Rendered draft = drawnAt(Quality::draft);
+  QVERIFY(draft.plan.pilot);
+  QTEST(draft.plan.cellByCell ? 0.0 : draft.plan.stepVoxels, "taken");
+  if (edge < draftPromise.blockEdge) return;
+  const DraftError e = draftErrorOf(draft.picture, drawnAt(Quality::standard).picture);
+  QVERIFY2(e.keepsPromise(), qPrintable(inWords(e)));
+}
+
 // A step of 1, 1/2 or 1/3 voxel would meet each stripe in the same phases.
 void TestPilot::itMeetsNoCellsInTheSamePlaces() {
   RenderCaches caches(ball(Within::stripes, 3));
@@ -202,7 +241,8 @@ void TestPilot::itMeetsNoCellsInTheSamePlaces() {
     }
 }
 
-// The stated error is never better than the picture's, and never worse than promised.
+// The stated error is never better than the picture's. A part of the tiles tells of the promise; all of them
+// tell of an error that is not much worse than the picture's.
 void TestPilot::itSaysTheWorstThatThePictureMayHave() {
   RenderCaches caches(ball(Within::rods, 40));
   for (double opacity : {0.02, 0.06, 0.2}) {
@@ -221,8 +261,11 @@ void TestPilot::itSaysTheWorstThatThePictureMayHave() {
       shown.push_back(std::max({exact.rgba[n], exact.rgba[n + 1], exact.rgba[n + 2]}) > 0.5f / 255);
     const PictureError e = compare(picture, exact, shown);
     const LevelPromise& promised = promiseOf(Quality::standard);
-    QVERIFY2(done.pilot->psnrDb <= e.psnrDb && done.pilot->psnrDb >= promised.leastPsnrDb &&
-                 done.pilot->percentile99 >= e.percentile99 && done.pilot->percentile99 <= promised.most99,
+    const PilotFinding& told = *done.pilot;
+    const bool tellsThePromise =
+        told.percentile99 == promised.most99 && std::abs(told.psnrDb - promised.leastPsnrDb) < 1e-9;
+    const bool isNear = told.psnrDb > e.psnrDb - 17 && told.percentile99 < 2.5 * (2.5 * e.percentile99 + 0.5);
+    QVERIFY2(told.psnrDb <= e.psnrDb && told.percentile99 >= e.percentile99 && (tellsThePromise || isNear),
              qPrintable(QStringLiteral("%1 dB, %2/255 of %3")
                             .arg(done.pilot->psnrDb)
                             .arg(done.pilot->percentile99)

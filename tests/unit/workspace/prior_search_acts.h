@@ -39,7 +39,7 @@ struct Desk {
   }
 };
 
-/// Changes the desk, or takes the search one step on.
+/// What happens in a turn: the desk changes, or the search is told something and goes on.
 using Act = std::function<PriorStep(Desk&)>;
 
 // Acts that change the desk.

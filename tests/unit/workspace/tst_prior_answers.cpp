@@ -1,5 +1,5 @@
-// Guards ui/workspace/prior_search.h: what is shown, opened and told after sources answer, in all orders in
-// which they can, and with or without an open prior.
+// Guards ui/workspace/prior_search.h: what is shown, opened and told after sources answer. Rows cover every
+// order of answers, and a prior that is or is not open.
 #include "results/text/text.h"
 #include "tests/unit/suite.h"
 #include "tests/unit/workspace/prior_search_acts.h"
