@@ -138,6 +138,7 @@ class Run {
     if (const int wrong = checkUsage()) return wrong;
     auto asked = renderOptions(options_.scene, options_.method);
     if (!asked) return failUsage(asked.message());
+    asked->withError = !options_.errorMap.empty();
     std::optional<SessionView> session;
     if (isSessionFile(options_.path)) {
       auto read = readSessionView(options_.path, cancel_);

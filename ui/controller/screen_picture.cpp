@@ -28,6 +28,7 @@ PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& ge
   view.scene.camera = draft.camera;
   view.options.size = {draft.size.width(), draft.size.height()};
   view.options.quality = pass.quality;
+  view.options.withError = request.withError && pass.factor == 1;
   if (request.resampler != Resampler::gl) return view;
   if (pass.quality != Quality::draft)
     view.options.resampler = Resampler::gl;
@@ -41,15 +42,8 @@ PassView viewOf(const ScreenRequest& request, Pass pass, const VoxelGeometry& ge
 PlannedPass planPass(const Draw& draw, const Volume& volume, const ScreenRequest& request, Pass pass,
                      Clock::time_point from, const CancelToken& cancel) {
   from = std::max(from, Clock::now());
-  PassView view = viewOf(request, pass, volume.geometry());
-  Result<Planned> planned = draw.plan(view.scene, view.options, cancel);
-  const bool canTell = request.scene.mode == Mode::composite && request.resampler == Resampler::cpu;
-  if (planned && request.withError && canTell && pass.factor == 1 && !tellsError(planned->plan)) {
-    // The level's tolerance excludes plain steps.
-    view.options.tolerance = levelOf(pass.quality).rayBudget / 255;
-    planned = draw.plan(view.scene, view.options, cancel);
-  }
-  return {std::move(planned), from};
+  const PassView view = viewOf(request, pass, volume.geometry());
+  return {draw.plan(view.scene, view.options, cancel), from};
 }
 
 Result<DrawnPass> drawPass(const Draw& draw, const Volume& volume, const ScreenRequest& request, Pass pass,

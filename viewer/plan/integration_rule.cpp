@@ -74,7 +74,7 @@ bool isWholeLevel(const RenderOptions& o) {
 // if all samples would meet the same places of their cells. Empty if there is none.
 std::optional<EvenStep> evenStep(const RuleInput& in) {
   const RenderOptions& o = in.options;
-  if (in.facts.gradientBounds.empty() || !isWholeLevel(o)) return {};
+  if (in.facts.gradientBounds.empty() || !isWholeLevel(o) || o.withError) return {};
   if (!in.scene.transferFunction.gradientOpacity.empty()) return {};
   // Along a slope of values a comb of peaks repeats, and all samples may meet the same place of each tooth.
   constexpr int mostTurns = 8;
@@ -201,6 +201,8 @@ std::optional<PilotSteps> openSteps(const RuleInput& in, const Plan& plan) {
     lean.full = false;
     return makePlan(in.scene, in.facts, lean)->pilotSteps;
   }
+  // The pilot of a draft does not tell the error of each pixel.
+  if (o.quality == Quality::draft && o.withError) return {};
   // No sample of rays can promise a maximum.
   if (o.quality == Quality::exact || !isWholeLevel(o)) return {};
   // The rays needed for a 99th percentile would be too large a share of smaller pictures, and would miss the

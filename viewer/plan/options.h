@@ -37,8 +37,9 @@ struct RenderOptions {
   std::optional<int> curveTable;           ///< Entries of a classification table; if empty, the exact curve
   GradientOperator gradient = GradientOperator::sobel;
   std::optional<Blending> blending;
-  int threads = 0;    ///< 0 means all allowed cores
-  bool full = false;  ///< Turns off every sound rule: same bytes, slower (design.md 5)
+  bool withError = false;  ///< Steps that do not tell the error of each pixel are not taken at a level
+  int threads = 0;         ///< 0 means all allowed cores
+  bool full = false;       ///< Turns off every sound rule: same bytes, slower (design.md 5)
   bool operator==(const RenderOptions&) const = default;
 };
 

@@ -191,6 +191,10 @@ void TestCommands::aPictureSaysHowFarItMayBeOff_data() {
   const char* numbers = "at most [0-9.]+/255, 99th percentile [0-9.]+/255, PSNR at least [0-9]+ dB";
   row("standard", "", numbers, "");
   row("exact", "--quality exact", "at most (1|0.[0-9]+)/255, 99th percentile 0.[0-9]+/255, .*", "");
+  row("a draft", "--quality draft", "",
+      "The picture was sampled at fixed steps, which do not tell how far off each pixel is.");
+  const QString withMap = QStringLiteral("--quality draft --error-map ") + at("draft-error.nrrd");
+  row("a draft whose error map is asked for", qPrintable(withMap), numbers, "");
   row("what it does not hold", "--gradient central",
       "at most [^;]*; without that of another gradient operator", "");
   row("a projection", "--mode mip", "none but the rounding of floats", "");

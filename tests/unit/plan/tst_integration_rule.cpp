@@ -95,6 +95,10 @@ void TestIntegrationRule::theRuleSaysWhatAndWhy_data() {
     evenMatter(a);
     a.facts.gradientBounds.assign(256, 9000);
   });
+  row("the error of each pixel is asked for", "integration", atStandard.c_str(), [](Asked& a) {
+    evenMatter(a);
+    a.options.withError = true;
+  });
   row("a comb of peaks may repeat along rays", "integration", atStandard.c_str(), [](Asked& a) {
     evenMatter(a);
     auto& points = a.scene.transferFunction.points;
@@ -167,6 +171,10 @@ void TestIntegrationRule::stepsAreLeftOpenWhereTheyMayPay_data() {
   row("where the volume is known to be even, longer ones", "0.43 0.72", [](Asked& a) { evenMatter(a); });
   row("nothing left out: the same choice", "0.062 0.72", [](Asked& a) { a.options.full = true; });
   row("draft: one of two lengths", "0.081 0.72", [](Asked& a) { a.options.quality = Quality::draft; });
+  row("a draft whose error is asked for", "", [](Asked& a) {
+    a.options.quality = Quality::draft;
+    a.options.withError = true;
+  });
   row("a small draft, too", "0.081 0.72", [](Asked& a) {
     a.options.quality = Quality::draft;
     a.options.size = {100, 90};
