@@ -5,11 +5,14 @@
 #include <glm/common.hpp>
 #include <limits>
 
+#include "viewer/scene/curve_edits.h"
+
 namespace volumen {
 
 namespace {
 
 constexpr float infinity = std::numeric_limits<float>::infinity();
+constexpr double largestDensity = 1e30f;  // limit of volumes
 
 // Returns the density at which the real value reaches `value`. If a whole density means exactly this value,
 // returns that density, so that a step on a stored value is a step on its density.
@@ -17,7 +20,20 @@ float densityOf(float value, const DensityScale& scale) {
   const double density = (double(value) - scale.intercept) / scale.slope;
   const double whole = std::round(density);
   if (float(scale.slope * whole + scale.intercept) == value && std::abs(whole) < 1e7) return float(whole);
-  return float(std::clamp(density, -1e30, 1e30));
+  return float(std::clamp(density, -largestDensity, largestDensity));
+}
+
+// Ends the curve where no volume has densities. Points beyond would only be limited, which bends the curve.
+TransferFunction withoutEnds(TransferFunction curve, const DensityScale& scale) {
+  const double low = scale.intercept - largestDensity * scale.slope;
+  const double high = scale.intercept + largestDensity * scale.slope;
+  auto& points = curve.points;
+  const CurvePoint first = curveAt(curve, low), last = curveAt(curve, high);
+  const bool startsBelow = points.front().value<low, endsAbove = points.back().value> high;
+  std::erase_if(points, [&](const CurvePoint& p) { return p.value < low || p.value > high; });
+  if (startsBelow) points.insert(points.begin(), first);
+  if (endsAbove) points.push_back(last);
+  return curve;
 }
 
 // Limits the slope between nodes that almost coincide: infinity times a distance of 0 would be NaN.
@@ -103,7 +119,7 @@ std::size_t CurveTable::bytes() const { return (first.size() + 12 * node.size())
 
 CurveTable makeCurveTable(const TransferFunction& curve, const DensityScale& scale) {
   CurveTable t;
-  const auto& points = curve.points;
+  const std::vector<CurvePoint> points = withoutEnds(curve, scale).points;
   std::vector<float> nodes;
   for (const CurvePoint& p : points) {
     const float node = densityOf(p.value, scale);
