@@ -46,5 +46,6 @@ Result<Index> openExistingIndex(const std::string& folder) {
 }
 
 std::string copiesFolder(const std::string& indexFolder) { return folderOr(indexFolder) + "/studies"; }
+std::string fetchedFolder(const std::string& indexFolder) { return folderOr(indexFolder) + "/fetched"; }
 
 }  // namespace volumen

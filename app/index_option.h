@@ -17,7 +17,8 @@ Result<Index> openIndex(const std::string& folder);
 /// Opens an existing index without changes (Index::openAsItIs()).
 Result<Index> openExistingIndex(const std::string& folder);
 
-/// Returns the folder for copies of `import --copy`.
+/// Return the folders for copies of `import --copy`, and for what archives send.
 std::string copiesFolder(const std::string& indexFolder);
+std::string fetchedFolder(const std::string& indexFolder);
 
 }  // namespace volumen

@@ -85,6 +85,7 @@ constexpr Entry commands[] = {
     {"info", "List patients, studies and series, with geometry and warnings", volumen::makeInfo, true},
     {"import", "Read studies into the index", volumen::makeImport},
     {"list", "List the studies of the index", volumen::makeList},
+    {"archive", "List, test and search archives beside this machine (PACS)", volumen::makeArchive},
     {"forget", "Take studies out of the index; their files stay", volumen::makeForget},
     {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert, true},
     {"segment", "Segment by a recipe or a value range, and measure", volumen::makeSegment, true},
@@ -147,10 +148,13 @@ int run(std::vector<std::string> words, CLI::App& app, std::function<int()>& com
   } catch (const CLI::Success& e) {
     return flushOutput(app.exit(e));
   } catch (const CLI::ParseError& e) {
-    const auto chosen = app.get_subcommands();
-    const CLI::App& at = chosen.empty() ? app : *chosen.front();
-    return volumen::failUsage(volumen::usageProblem(e, at) + "\nSee `volumen " +
-                              (chosen.empty() ? "" : at.get_name() + " ") + "--help`.");
+    const CLI::App* at = &app;
+    std::string name = "volumen ";
+    while (!at->get_subcommands().empty()) {
+      at = at->get_subcommands().front();
+      name += at->get_name() + " ";
+    }
+    return volumen::failUsage(volumen::usageProblem(e, *at) + "\nSee `" + name + "--help`.");
   }
   volumen::keepToStartableThreads();
   return endBySignal(flushOutput(statusOf(command)));
@@ -191,6 +195,7 @@ int main(int argc, char** argv) {
       "volumen shows CT, MR and other scans in 3D, without a GPU. Not for clinical use.\n"
       "PATH is a file, a folder or phantom:NAME[:SIZE], a volume that the program makes."};
   app.name("volumen");
+  app.require_subcommand(0, 1);  // else words of a search would be commands, too
   app.formatter(std::make_shared<volumen::HelpFormatter>());
   app.set_help_flag("-h,--help", "Show this help; `volumen COMMAND --help` shows that of a command");
   app.set_version_flag("--version", "volumen " VOLUMEN_VERSION, "Show the version");

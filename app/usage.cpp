@@ -45,11 +45,16 @@ std::string typedName(const CLI::Option& option) {
 }
 
 std::string missing(const CLI::App& app) {
+  if (app.get_require_subcommand_min() > 0) {
+    std::vector<std::string> names;
+    for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+    return "Missing COMMAND: " + joined(names, ", ") + ".";
+  }
   for (const CLI::Option* option : app.get_options()) {
     if (!option->get_required() || option->count() > 0) continue;
     std::string text = option->get_description();
     if (!text.empty()) text[0] = char(std::tolower(text[0]));
-    if (option->get_positional()) return "Missing PATH: " + text + ".";
+    if (option->get_positional()) return "Missing " + option->get_name(true) + ": " + text + ".";
     return "Missing " + typedName(*option) + " " + option->get_type_name() + ": " + text + ".";
   }
   return "Something is missing.";

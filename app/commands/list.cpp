@@ -4,9 +4,8 @@
 
 #include "app/command.h"
 #include "app/index_option.h"
-#include "app/text_table.h"
+#include "app/study_lines.h"
 #include "app/usage.h"
-#include "io/study/iso_date.h"
 
 namespace volumen {
 
@@ -32,79 +31,27 @@ struct Listed {
 };
 
 Json toJson(const ListedSeries& s) {
-  Json files = Json::array();
+  Json out = seriesJson(s), files = Json::array();
   for (const std::string& file : s.files) files.push_back(pathForJson(file));
-  return {{"seriesUid", s.seriesUid},
-          {"number", s.number},
-          {"modality", s.modality},
-          {"description", s.description},
-          {"date", isoDate(s.date)},
-          {"time", s.time},
-          {"label", s.label},
-          {"images", s.images},
-          {"frames", s.frames},
-          {"isVolume", s.isVolume},
-          {"offline", s.offline},
-          {"warnings", s.warnings},
-          {"files", files}};
+  out["files"] = files;
+  return out;
 }
 
 Json toJson(const Listed& listed, bool withSeries) {
-  const IndexedStudy& s = listed.study;
-  Json out{
-      {"number", s.id},
-      {"patient", {{"name", s.patientName}, {"id", s.patientId}, {"birthDate", isoDate(s.birthDate)}, {"sex", s.sex}}},
-      {"studyUid", s.studyUid},
-      {"date", isoDate(s.date)},
-      {"time", s.time},
-      {"description", s.description},
-      {"accessionNumber", s.accessionNumber},
-      {"institution", s.institution},
-      {"modalities", s.modalities},
-      {"seriesCount", s.series},
-      {"images", s.images},
-      {"warningCount", s.warnings},
-      {"offline", s.offline},
-      {"importedAt", s.importedAt},
-      {"openedAt", s.openedAt}};
+  Json out = studyJson(listed.study);
   if (!withSeries) return out;
   out["series"] = Json::array();
   for (const ListedSeries& series : listed.series) out["series"].push_back(toJson(series));
   return out;
 }
 
-std::string dateOf(const std::string& dicom) { return printable(isoDate(dicom)); }
-
-std::string marks(int warnings, bool offline) {
-  std::string text = warnings == 0   ? ""
-                     : warnings == 1 ? "1 warning"
-                                     : std::to_string(warnings) + " warnings";
-  if (offline) text += text.empty() ? "offline" : ", offline";
-  return text;
-}
-
-TextTable studyTable(const std::vector<Listed>& all) {
-  TextTable table({"No.", "Patient", "ID", "Date", "Modality", "Description", "Series", "Images", ""});
+std::string textOf(const std::vector<Listed>& all, bool withSeries) {
+  TextTable table = withSeries ? seriesTable() : studyTable();
   for (const Listed& listed : all) {
-    const IndexedStudy& s = listed.study;
-    table.add({std::to_string(s.id), printable(s.patientName), printable(s.patientId), dateOf(s.date),
-               printable(s.modalities), printable(s.description), std::to_string(s.series),
-               std::to_string(s.images), marks(s.warnings, s.offline)});
+    if (!withSeries) addTo(table, listed.study);
+    for (const ListedSeries& series : listed.series) addTo(table, listed.study, series);
   }
-  return table;
-}
-
-TextTable seriesTable(const std::vector<Listed>& all) {
-  TextTable table({"No.", "Patient", "Date", "Series", "Modality", "Description", "Images", "Frames", ""});
-  for (const Listed& listed : all)
-    for (const ListedSeries& s : listed.series) {
-      const std::string label = s.label.empty() ? "" : " (" + printable(s.label) + ")";
-      table.add({std::to_string(listed.study.id), printable(listed.study.patientName),
-                 dateOf(listed.study.date), printable(s.number), printable(s.modality),
-                 printable(s.description) + label, std::to_string(s.images), std::to_string(s.frames),
-                 marks(int(s.warnings.size()), s.offline)});
-    }
-  return table;
+  return table.text();
 }
 
 Result<std::vector<Listed>> find(const Index& index, const ListOptions& options) {
@@ -148,7 +95,7 @@ int run(const ListOptions& options) {
     std::cerr << (options.words.empty() ? "The index is empty: `volumen import PATH` fills it.\n"
                                         : "No study has all of these words.\n");
   } else {
-    std::cout << (options.series ? seriesTable(*all) : studyTable(*all)).text();
+    std::cout << textOf(*all, options.series);
   }
   return exitDone;
 }

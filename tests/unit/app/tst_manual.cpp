@@ -1,4 +1,9 @@
 // Guards design.md 4: the manual page and each --help describe the real options, and their examples run.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdatset.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
+
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -9,14 +14,18 @@
 
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
+#include "tests/unit/archive/peer_process.h"
+#include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
 
 namespace {
 
-const char* const commands[] = {"open",    "render",  "slice",   "info",    "import",   "list", "forget",
-                                "convert", "segment", "compare", "measure", "accuracy", "bench"};
+const char* const commands[] = {"open",          "render",   "slice",        "info",         "import",
+                                "list",          "archive",  "archive list", "archive test", "archive query",
+                                "archive fetch", "forget",   "convert",      "segment",      "compare",
+                                "measure",       "accuracy", "bench"};
 
 /// Returns the manual page without markup.
 QString manual() {
@@ -26,7 +35,8 @@ QString manual() {
 }
 
 QString helpOf(const QString& command) {
-  return QString::fromUtf8(runProgram(QStringList{command, QStringLiteral("--help")}).out);
+  return QString::fromUtf8(
+      runProgram(command.split(QLatin1Char(' ')) + QStringList{QStringLiteral("--help")}).out);
 }
 
 /// Returns the options of a help text with their values: "-o,--output FILE", "--view anterior|posterior|...".
@@ -73,11 +83,12 @@ class TestManual : public QObject {
 
  private:
   QTemporaryDir folder_;
+  QrPeer peer_;
 };
 
 /// Makes the files that examples name: a study in scans/, scene.json, shapes.json, bone.png (a picture that
-/// holds a scene), segments in first.seg.nrrd and second.seg.nrrd, and an index of two studies, the second of
-/// which is forgotten.
+/// holds a scene), segments in first.seg.nrrd and second.seg.nrrd, an index of two studies, the second of
+/// which is forgotten, and an archive called main with study 1.2.3, if its program is installed.
 void TestManual::initTestCase() {
   const auto made = [&](const char* line) {
     return runProgram(QString::fromLatin1(line).replace(QLatin1String("IN"), folder_.path())).status;
@@ -91,11 +102,23 @@ void TestManual::initTestCase() {
   QCOMPARE(made("import IN/scans/"), 0);
   QCOMPARE(made("import IN/chest.nii.gz"), 0);
   QCOMPARE(made("forget 2"), 0);
-  for (const auto& [name, text] : {std::pair("scene.json", "{}"), {"shapes.json", "[]"}}) {
+  const auto write = [&](const char* name, const QByteArray& text) {
     QFile file(folder_.filePath(QLatin1String(name)));
-    QVERIFY(file.open(QIODevice::WriteOnly));
-    file.write(text);
-  }
+    return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+  };
+  QVERIFY(write("scene.json", "{}") && write("shapes.json", "[]"));
+  qputenv("XDG_CONFIG_HOME", folder_.path().toUtf8());
+  QVERIFY(QDir(folder_.path()).mkdir(QStringLiteral("volumen")));
+  DicomPicture picture{.seriesUid = "1.2.3.1"};
+  picture.edit = [](DcmDataset& data) { data.putAndInsertString(DCM_StudyInstanceUID, "1.2.3"); };
+  const QString archived = folder_.filePath(QStringLiteral("archived.dcm"));
+  writeDicom(archived.toStdString(), picture);
+  peer_.add({archived});
+  if (QrPeer::isInstalled()) QVERIFY(peer_.start());
+  const QByteArray archives =
+      R"({"archives": [{"name": "main", "kind": "dimse", "host": "localhost", "port": )" +
+      QByteArray::number(peer_.port()) + R"(, "calledAe": "ARCH"}]})";
+  QVERIFY(write("archives.json", archives) && write("volumen/archives.json", archives));
 }
 
 void TestManual::manualHasEveryOption_data() {
@@ -161,6 +184,8 @@ void TestManual::examplesRun_data() {
 void TestManual::examplesRun() {
   QFETCH(QString, line);
   QStringList words = QProcess::splitCommand(line);
+  if (words[0] == QLatin1String("archive") && !QrPeer::isInstalled())
+    QSKIP("dcmqrscp is not installed (package dcmtk)");
   const bool opens = words[0] == QLatin1String("open") || words.size() == 1;
   if (words[0] == QLatin1String("render") || words[0] == QLatin1String("bench"))
     words << QStringLiteral("--threads") << QStringLiteral("2");

@@ -1,0 +1,229 @@
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/command.h"
+#include "app/progress.h"
+#include "app/study_lines.h"
+#include "app/usage.h"
+#include "app/index_option.h"
+#include "io/archive/fetch_archive.h"
+#include "io/archive/search_archive.h"
+
+namespace volumen {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+struct ArchiveOptions {
+  std::string file, name;
+  std::vector<std::string> words;
+  ArchiveQuery query;
+  std::string study, folder, index;
+  bool json = false;
+
+  std::string path() const { return file.empty() ? userArchivesFile() : file; }
+};
+
+Result<Archives> archivesOf(const ArchiveOptions& options) {
+  std::error_code ignored;
+  if (!options.file.empty() && !std::filesystem::exists(options.file, ignored))
+    return Error{options.file + " cannot be read: no such file."};
+  return readArchives(options.path());
+}
+
+Result<Archive> chosen(const ArchiveOptions& options) {
+  const auto all = archivesOf(options);
+  return all ? archiveNamed(*all, options.name, options.path()) : all.error();
+}
+
+std::string addressOf(const Archive& archive) {
+  return archive.host + ":" + std::to_string(archive.port) + (archive.tls ? " (TLS)" : "");
+}
+
+int list(const ArchiveOptions& options) {
+  const auto all = archivesOf(options);
+  if (!all) return fail(all.message());
+  if (options.json) {
+    std::cout << archivesToJson(*all);
+  } else if (all->archives.empty()) {
+    std::cerr << noArchives(options.path()) << '\n';
+  } else {
+    TextTable table({"Name", "Address", "Its AE title", "Ours"});
+    for (const Archive& a : all->archives)
+      table.add({printable(a.name), printable(addressOf(a)), a.calledAe, a.callingAe});
+    std::cout << table.text();
+  }
+  return exitDone;
+}
+
+int test(const ArchiveOptions& options, const CancelToken& cancel) {
+  const auto archive = chosen(options);
+  if (!archive) return fail(archive.message());
+  if (Status s = testArchive(*archive, cancel); !s) return fail(s.message(), cancel);
+  std::cout << "The archive \"" << archive->name << "\" (" << addressOf(*archive) << ") answers.\n";
+  return exitDone;
+}
+
+Json toJson(const ArchiveStudy& study, bool withSeries) {
+  Json out = studyJson(study.study);
+  if (!withSeries) return out;
+  out["series"] = Json::array();
+  for (const IndexedSeries& series : study.series) out["series"].push_back(seriesJson(series));
+  return out;
+}
+
+// A study whose series the archive does not tell has a line, too.
+IndexedSeries unknownSeries() {
+  IndexedSeries series;
+  series.images = series.frames = -1;
+  return series;
+}
+
+void print(const ArchiveAnswers& answers, const ArchiveOptions& options) {
+  const bool withSeries = options.query.withSeries;
+  if (options.json) {
+    Json studies = Json::array();
+    for (const ArchiveStudy& study : answers.studies) studies.push_back(toJson(study, withSeries));
+    Json out{{"studies", studies}};
+    if (!answers.incomplete.empty()) out["incomplete"] = answers.incomplete;
+    std::cout << jsonText(out);
+  } else if (answers.studies.empty()) {
+    if (answers.incomplete.empty()) std::cerr << "No study has all of these words.\n";
+  } else {
+    TextTable table = withSeries ? seriesTable() : studyTable();
+    for (const ArchiveStudy& study : answers.studies) {
+      if (!withSeries) addTo(table, study.study);
+      if (withSeries && study.series.empty()) addTo(table, study.study, unknownSeries());
+      for (const IndexedSeries& series : study.series) addTo(table, study.study, series);
+    }
+    std::cout << table.text();
+  }
+  if (!answers.incomplete.empty()) std::cerr << "volumen: " << printable(answers.incomplete) << '\n';
+}
+
+int query(const ArchiveOptions& options, const CancelToken& cancel) {
+  const auto archive = chosen(options);
+  if (!archive) return fail(archive.message());
+  ArchiveQuery asked = options.query;
+  for (const std::string& word : options.words) asked.words += word + " ";
+  const auto answers = searchArchive(*archive, asked, {}, cancel);
+  if (!answers) return fail(answers.message(), cancel);
+  print(*answers, options);
+  return exitDone;
+}
+
+void print(const FetchReport& report, const std::string& folder, bool json) {
+  if (json) {
+    std::cout << jsonText({{"folder", pathForJson(folder)},
+                           {"images", report.expected},
+                           {"fetched", report.fetched},
+                           {"alreadyHere", report.alreadyHere},
+                           {"bytes", report.bytes},
+                           {"missing", report.missing},
+                           {"problems", report.problems}});
+    return;
+  }
+  std::cout << "Fetched " << report.fetched << " of " << report.expected << " images";
+  if (report.alreadyHere > 0) std::cout << "; " << report.alreadyHere << " were here already";
+  std::cout << ": " << folder << '\n';
+}
+
+// Puts fetched files into the index; a folder of the user's stays as it is.
+Status addToIndex(const ArchiveOptions& options, const std::string& folder, const CancelToken& cancel) {
+  Result<Index> index = openIndex(options.index);
+  if (!index) return index.error();
+  const auto imported = index->import({folder}, terminalProgress(), cancel);
+  endTerminalProgress();
+  return imported ? Status() : imported.error();
+}
+
+int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
+  const auto archive = chosen(options);
+  if (!archive) return fail(archive.message());
+  const std::size_t slash = options.study.find('/');
+  FetchRequest request{options.study.substr(0, slash), "", options.folder};
+  if (slash != std::string::npos) request.seriesUid = options.study.substr(slash + 1);
+  if (request.folder.empty())
+    request.folder = fetchedFolder(options.index) + "/" + nameForUid(request.studyUid);
+  const auto report = fetchFromArchive(*archive, request, terminalProgress(), cancel);
+  endTerminalProgress();
+  if (!report) return fail(report.message(), cancel);
+  if (options.folder.empty())
+    if (Status s = addToIndex(options, request.folder, cancel); !s) return fail(s.message(), cancel);
+  print(*report, request.folder, options.json);
+  for (const std::string& problem : report->problems) std::cerr << "volumen: " << printable(problem) << '\n';
+  return report->missing.empty() ? exitDone : exitLosses;
+}
+
+// A nested command; `run` is what archive runs if it is chosen.
+CLI::App* addNested(CLI::App& app, const char* name, const char* text, ArchiveOptions& options,
+                    const std::function<int()>& thisOne, const std::shared_ptr<std::function<int()>>& run) {
+  CLI::App* sub = app.add_subcommand(name, text);
+  sub->group("Commands");
+  sub->set_help_flag("-h,--help", "Show this help");
+  sub->add_option("--archives", options.file,
+                  "The file that lists the archives (default: archives.json in "
+                  "~/.config/volumen)")
+      ->type_name("FILE");
+  sub->callback([=] { *run = thisOne; });
+  return sub;
+}
+
+void addName(CLI::App& app, ArchiveOptions& options) {
+  app.add_option("NAME", options.name, "The archive's name in `volumen archive list`")
+      ->type_name("")
+      ->required();
+}
+
+}  // namespace
+
+std::function<int()> makeArchive(CLI::App& app, const CancelToken& cancel) {
+  auto o = std::make_shared<ArchiveOptions>();
+  const auto run = std::make_shared<std::function<int()>>();
+  app.require_subcommand(1);
+  CLI::App* listed = addNested(
+      app, "list", "List the archives", *o, [=] { return list(*o); }, run);
+  listed->add_flag("--json", o->json, "Write the list as JSON to stdout");
+  addExamples(*listed, {"volumen archive list", "volumen archive list --json"});
+
+  CLI::App* tested = addNested(
+      app, "test", "Say whether an archive answers", *o, [o, &cancel] { return test(*o, cancel); }, run);
+  addName(*tested, *o);
+  addExamples(*tested, {"volumen archive test main", "volumen archive test main --archives archives.json"});
+
+  CLI::App* queried = addNested(
+      app, "query", "Search the studies of an archive", *o, [o, &cancel] { return query(*o, cancel); }, run);
+  addName(*queried, *o);
+  queried
+      ->add_option("WORDS", o->words,
+                   "Only studies that have all of these in name, ID, accession number, date, modality or "
+                   "description")
+      ->type_name("");
+  queried->add_flag("--series", o->query.withSeries, "One line a series");
+  wholeNumber(queried->add_option("--limit", o->query.limit, "Most studies (default: 5000)"), 1, 1000000);
+  queried->add_flag("--json", o->json, "Write one JSON object to stdout, as `volumen list` does");
+  addExamples(*queried, {"volumen archive query main smith ct", "volumen archive query main today --json"});
+
+  CLI::App* fetched = addNested(
+      app, "fetch", "Fetch a study, or one of its series", *o, [o, &cancel] { return fetch(*o, cancel); },
+      run);
+  addName(*fetched, *o);
+  fetched
+      ->add_option("STUDY", o->study,
+                   "The study's UID in `volumen archive query --json`, or STUDY/SERIES for one series")
+      ->type_name("")
+      ->required();
+  fetched->add_option("-o,--output", o->folder, "Write to this folder, not into the index")
+      ->type_name("FOLDER");
+  addIndex(*fetched, o->index);
+  fetched->add_flag("--json", o->json, "Write one JSON object to stdout");
+  addExamples(*fetched,
+              {"volumen archive fetch main 1.2.3", "volumen archive fetch main 1.2.3/1.2.3.1 -o fetched/"});
+  addExamples(app, {"volumen archive test main", "volumen archive query main smith ct"});
+  return [run] { return (*run)(); };
+}
+
+}  // namespace volumen

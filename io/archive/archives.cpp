@@ -1,0 +1,131 @@
+#include "io/archive/archives.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <filesystem>
+
+#include "io/regular_file.h"
+#include "viewer/scene/fields.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr std::uint64_t mostBytesOfList = 1 << 20;
+const Words<ArchiveKind> kinds{{"dimse", ArchiveKind::dimse}};
+
+void aeTitle(Fields& f, const char* name, std::string& title) {
+  f(name, title);
+  const std::string problem = problemOfAeTitle(title);
+  f.require(name, problem.empty(), problem);
+}
+
+// "name:STUDY/SERIES" names a study of an archive.
+bool isName(const std::string& name) {
+  return !name.empty() && name.size() <= 64 && name.find_first_of(":/") == std::string::npos;
+}
+
+// DCMTK has room for 63 characters with the port, and none for colons.
+bool isHost(const std::string& host) {
+  return !host.empty() && host.size() <= 56 &&
+         std::ranges::all_of(host, [](char c) { return c > ' ' && c <= '~' && c != ':' && c != '/'; });
+}
+
+}  // namespace
+
+static void fields(Fields& f, TlsSettings& tls) {
+  f.unless({}, "pin", tls.pin);
+  f.unless({}, "ca", tls.ca);
+  f.unless({}, "certificate", tls.certificate);
+  f.unless({}, "key", tls.key);
+  f.require("pin",
+            tls.pin.empty() || (tls.pin.size() == 64 &&
+                                tls.pin.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos),
+            "must have 64 hexadecimal digits, the SHA-256 of the archive's certificate");
+  f.require("pin", !tls.pin.empty() || !tls.ca.empty(),
+            "or \"ca\" must say which certificate the archive has");
+  f.require("key", tls.key.empty() == tls.certificate.empty(), "and \"certificate\" belong together");
+}
+
+static void fields(Fields& f, Archive& archive) {
+  f.needed("name", archive.name);
+  f.require("name", isName(archive.name), "must be 1 to 64 characters without \":\" and \"/\"");
+  f.needed("kind", archive.kind, kinds);
+  f.needed("host", archive.host);
+  f.require("host", isHost(archive.host),
+            "must be a name or an address of up to 56 characters, without a port");
+  f("port", archive.port, {1, 65535});
+  f.require("calledAe", !f.reading() || f.raw("calledAe"), "is missing");
+  aeTitle(f, "calledAe", archive.calledAe);
+  aeTitle(f, "callingAe", archive.callingAe);
+  f.unless({}, "characterSet", archive.characterSet);
+  f.unlessNone("tls", archive.tls);
+}
+
+static void fields(Fields& f, Archives& all) {
+  f("archives", all.archives);
+  for (std::size_t n = 0; n < all.archives.size(); ++n) {
+    const auto same = [&](const Archive& a) { return a.name == all.archives[n].name; };
+    if (std::count_if(all.archives.begin(), all.archives.end(), same) > 1)
+      f.refuse(f.pathOf("archives", n) + ".name",
+               "is used twice: " + JsonFields::quoted(all.archives[n].name));
+  }
+}
+
+std::string problemOfAeTitle(const std::string& title) {
+  if (title.find_first_not_of(' ') == std::string::npos) return "must be an AE title, not empty";
+  if (title.size() > 16) return "must have at most 16 characters";
+  const bool plain = std::ranges::all_of(title, [](char c) { return c >= ' ' && c <= '~' && c != '\\'; });
+  return plain ? "" : "must be printable ASCII without backslash";
+}
+
+Result<Archives> parseArchives(const std::string& json) {
+  const auto parsed = parseJson(json, 1);
+  if (!parsed) return parsed.error();
+  std::string problem;
+  Fields f(JsonFields(*parsed, "", problem));
+  Archives archives;
+  fields(f, archives);
+  f.refuseOthers();
+  if (!problem.empty()) return Error{problem};
+  return archives;
+}
+
+std::string archivesToJson(const Archives& archives) {
+  return jsonOf(archives).dump(1, ' ', false, JsonFields::Json::error_handler_t::replace) + "\n";
+}
+
+std::string userArchivesFile() {
+  const char *config = std::getenv("XDG_CONFIG_HOME"), *home = std::getenv("HOME");
+  if (config && *config) return std::string(config) + "/volumen/archives.json";
+  return home && *home ? std::string(home) + "/.config/volumen/archives.json" : "";
+}
+
+Result<Archives> readArchives(const std::string& path) {
+  std::error_code ignored;
+  if (path.empty() || !std::filesystem::exists(path, ignored)) return Archives{};
+  const auto file = RegularFile::open(path);
+  if (!file) return Error{path + " cannot be read: " + file.message() + "."};
+  if (file->size() > mostBytesOfList) return Error{path + " is too large for a list of archives."};
+  const auto bytes = file->read(0, file->size());
+  if (!bytes) return Error{path + " cannot be read: " + bytes.message() + "."};
+  auto archives = parseArchives(std::string(bytes->begin(), bytes->end()));
+  if (!archives) return Error{path + ": " + archives.message()};
+  return archives;
+}
+
+std::string noArchives(const std::string& path) {
+  return "No archive is set up: add one to " + path + " (man volumen, ARCHIVES).";
+}
+
+Result<Archive> archiveNamed(const Archives& archives, const std::string& name, const std::string& path) {
+  std::string names;
+  for (const Archive& archive : archives.archives) {
+    if (archive.name == name) return archive;
+    names += (names.empty() ? "" : ", ") + JsonFields::quoted(archive.name);
+  }
+  if (names.empty()) return Error{noArchives(path)};
+  return Error{"There is no archive " + JsonFields::quoted(name) + ": " + path + " lists " + names + "."};
+}
+
+}  // namespace volumen

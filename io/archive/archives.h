@@ -1,0 +1,60 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// The protocol of an archive.
+enum class ArchiveKind { dimse };
+
+/// Files and pin for TLS. Empty texts are not given.
+struct TlsSettings {
+  std::string pin;               ///< SHA-256 of the archive's certificate, 64 hexadecimal digits
+  std::string ca;                ///< file of accepted authorities or certificates, PEM
+  std::string certificate, key;  ///< files of our certificate and its key, PEM
+  bool operator==(const TlsSettings&) const = default;
+};
+
+/// An archive of studies beside this machine (PACS). `name` is how a user calls it.
+struct Archive {
+  std::string name;
+  ArchiveKind kind = ArchiveKind::dimse;
+  std::string host;
+  int port = 104;
+  std::string calledAe, callingAe = "VOLUMEN";  ///< AE titles of the archive and of this program
+  std::string characterSet;  ///< of answers that name none: a defined term of PS3.3 C.12.1.1.2
+  std::optional<TlsSettings> tls;
+  bool operator==(const Archive&) const = default;
+};
+
+struct Archives {
+  std::vector<Archive> archives;
+  bool operator==(const Archives&) const = default;
+};
+
+/// Returns why a text is no AE title of ours, as the end of a sentence; empty if it is one: 1 to 16 printable
+/// characters of ASCII without backslash, not blanks only (PS3.5 6.2).
+std::string problemOfAeTitle(const std::string& title);
+
+/// Parses a file of archives. The Error names the field.
+Result<Archives> parseArchives(const std::string& json);
+std::string archivesToJson(const Archives& archives);
+
+/// Returns $XDG_CONFIG_HOME/volumen/archives.json, else ~/.config/volumen/archives.json; empty if there is no
+/// home.
+std::string userArchivesFile();
+
+/// Reads a file of archives. A missing one holds none.
+Result<Archives> readArchives(const std::string& path);
+
+/// Returns a sentence on a file without archives.
+std::string noArchives(const std::string& path);
+
+/// Returns the archive of this name. The Error says which there are.
+Result<Archive> archiveNamed(const Archives& archives, const std::string& name, const std::string& path);
+
+}  // namespace volumen

@@ -1,0 +1,169 @@
+// Retrieval over one association (PS3.4 C.4.3, PS3.7 9.1.3).
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdatset.h>
+#include <dcmtk/dcmdata/dcostrmf.h>
+
+#include <cstring>
+#include <limits>
+
+#include "io/archive/association_private.h"
+
+namespace volumen {
+
+namespace {
+
+// PS3.4 C.4.3.1.4. Returns the end of a sentence; empty if all was sent.
+std::string retrievalRefusal(unsigned status) {
+  switch (status) {
+    case 0x0000:
+      return "";
+    case 0xb000:
+      return "could not send all instances";
+    case 0xa701:
+    case 0xa702:
+      return "has no resources to send them: try again";
+    case 0xa801:
+      return "does not know where to send them";
+    case 0xa900:
+      return "does not understand the request (status A900)";
+    case 0xfe00:
+      return "was told to stop";
+    default:
+      return "ended the retrieval with status " + statusText(status);
+  }
+}
+
+// One retrieval.
+class Retrieval {
+ public:
+  Retrieval(T_ASC_Association* association, T_ASC_PresentationContextID context, DIC_US message,
+            InstanceSink& sink)
+      : association_(association), context_(context), message_(message), sink_(sink) {}
+
+  // Takes messages until the archive ends the retrieval.
+  OFCondition take(GetEnd& end) {
+    for (;;) {
+      T_ASC_PresentationContextID context = 0;
+      T_DIMSE_Message message{};
+      DcmDataset* detail = nullptr;
+      OFCondition done = DIMSE_receiveCommand(association_, DIMSE_BLOCKING, 0, &context, &message, &detail);
+      delete detail;
+      if (done.bad()) return done;
+      if (message.CommandField == DIMSE_C_STORE_RQ) {
+        done = store(context, message.msg.CStoreRQ);
+      } else if (message.CommandField == DIMSE_C_GET_RSP) {
+        const T_DIMSE_C_GetRSP& response = message.msg.CGetRSP;
+        done = skipDataSet(response.DataSetType);
+        if (done.good() && response.DimseStatus != pending) {
+          if (response.opts & O_GET_NUMBEROFFAILEDSUBOPERATIONS)
+            end.failed = response.NumberOfFailedSubOperations;
+          end.refusal = retrievalRefusal(response.DimseStatus);
+          return done;
+        }
+      } else {
+        return makeOFCondition(OFM_dcmnet, DIMSEC_UNEXPECTEDREQUEST, OF_error, "unexpected message");
+      }
+      if (done.bad()) return done;
+    }
+  }
+
+  // Why the sink takes no more.
+  const Status& problem() const { return problem_; }
+
+ private:
+  static constexpr unsigned pending = 0xff00, outOfResources = 0xa700;
+
+  OFCondition skipDataSet(T_DIMSE_DataSetType type) {
+    if (type == DIMSE_DATASET_NULL) return EC_Normal;
+    DIC_UL bytes = 0, parts = 0;
+    return DIMSE_ignoreDataSet(association_, DIMSE_BLOCKING, 0, &bytes, &parts);
+  }
+
+  OFCondition store(T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request) {
+    const std::string uid = request.AffectedSOPInstanceUID;
+    OFCondition done = EC_Normal;
+    const Result<std::string> path = problem_ ? sink_.begin(uid) : problem_.error();
+    if (path)
+      done = receive(context, request, uid, *path);
+    else
+      refuse(path.error()), done = skipDataSet(request.DataSetType);
+    if (done.bad()) return done;
+    T_DIMSE_C_StoreRSP response{};
+    response.MessageIDBeingRespondedTo = request.MessageID;
+    response.DimseStatus = problem_ ? 0 : outOfResources;
+    response.DataSetType = DIMSE_DATASET_NULL;
+    std::memcpy(response.AffectedSOPClassUID, request.AffectedSOPClassUID,
+                sizeof response.AffectedSOPClassUID);
+    std::memcpy(response.AffectedSOPInstanceUID, request.AffectedSOPInstanceUID,
+                sizeof response.AffectedSOPInstanceUID);
+    response.opts = O_STORE_AFFECTEDSOPCLASSUID | O_STORE_AFFECTEDSOPINSTANCEUID;
+    done = DIMSE_sendStoreResponse(association_, context, &request, &response, nullptr);
+    if (done.good() && !problem_ && !cancelled_) {
+      cancelled_ = true;
+      done = DIMSE_sendCancelRequest(association_, context_, message_);
+    }
+    return done;
+  }
+
+  OFCondition receive(T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request,
+                      const std::string& uid, const std::string& path) {
+    DcmOutputFileStream* stream = nullptr;
+    OFCondition done =
+        DIMSE_createFilestream(OFFilename(path.c_str()), &request, association_, context, 1, &stream);
+    if (done.bad()) {
+      sink_.drop(path);
+      refuse({path + " cannot be written."});
+      return skipDataSet(request.DataSetType);
+    }
+    T_ASC_PresentationContextID dataContext = context;
+    done =
+        DIMSE_receiveDataSetInFile(association_, DIMSE_BLOCKING, 0, &dataContext, stream, nullptr, nullptr);
+    if (done.good()) stream->flush();
+    const bool isWritten = stream->status().good();
+    delete stream;
+    if (done.bad() || !isWritten) sink_.drop(path);
+    if (!isWritten) refuse({path + " cannot be written: is the disk full?"});
+    if (done.good() && isWritten)
+      if (const Status s = sink_.end(uid, path); !s) refuse(s.error());
+    return done;
+  }
+
+  void refuse(const Error& error) {
+    if (problem_) problem_ = error;
+  }
+
+  T_ASC_Association* association_;
+  const T_ASC_PresentationContextID context_;
+  const DIC_US message_;
+  InstanceSink& sink_;
+  Status problem_;
+  bool cancelled_ = false;
+};
+
+}  // namespace
+
+Result<GetEnd> Association::get(const std::string& model, DcmDataset& keys, InstanceSink& sink) {
+  const T_ASC_PresentationContextID context = p_->contextOf(model);
+  if (context == 0) return p_->says("offers no retrieval over one association (C-GET)");
+  T_DIMSE_Message message{};
+  message.CommandField = DIMSE_C_GET_RQ;
+  T_DIMSE_C_GetRQ& request = message.msg.CGetRQ;
+  request.MessageID = p_->association->nextMsgID++;
+  std::strncpy(request.AffectedSOPClassUID, model.c_str(), sizeof request.AffectedSOPClassUID - 1);
+  request.DataSetType = DIMSE_DATASET_PRESENT;
+  request.Priority = DIMSE_PRIORITY_MEDIUM;
+  OFCondition done =
+      DIMSE_sendMessageUsingMemoryData(p_->association, context, &message, nullptr, &keys, nullptr, nullptr);
+  GetEnd end;
+  p_->watch.allow(std::numeric_limits<std::uint64_t>::max(), std::chrono::hours(24));
+  Retrieval retrieval(p_->association, context, request.MessageID, sink);
+  if (done.good()) done = retrieval.take(end);
+  if (done.bad()) {
+    const Error failure = p_->failure(done);
+    return retrieval.problem() ? failure : retrieval.problem().error();
+  }
+  if (!retrieval.problem()) return retrieval.problem().error();
+  return end;
+}
+
+}  // namespace volumen

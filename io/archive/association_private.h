@@ -1,0 +1,39 @@
+#pragma once
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmnet/assoc.h>
+#include <dcmtk/dcmnet/dimse.h>
+#include <dcmtk/dcmtls/tlslayer.h>
+
+#include "io/archive/association.h"
+#include "io/archive/watched_transport.h"
+
+namespace volumen {
+
+/// What the files of Association share.
+struct Association::Private {
+  Private(Archive to, const CancelToken& cancel);
+  ~Private();
+
+  Status prepare();
+  /// Returns a connection's failure as a sentence. The association is broken from then on.
+  Error failure(const OFCondition& why, T_ASC_Parameters* parameters = nullptr);
+  /// Returns "The archive "X" PREDICATE.".
+  Error says(const std::string& predicate) const;
+  T_ASC_PresentationContextID contextOf(const std::string& sopClass) const;
+
+  const Archive archive;
+  Watch watch;
+  DcmTransportLayer plain;
+  std::unique_ptr<DcmTLSTransportLayer> tls;
+  std::unique_ptr<WatchedTransport> transport;
+  T_ASC_Network* network = nullptr;
+  T_ASC_Association* association = nullptr;
+  bool associated = false, broken = false;
+  void (*const brokenPipe)(int);  ///< what SIGPIPE did before DCMTK ignored it
+};
+
+/// Returns a status as PS3.7 writes it: "A701".
+std::string statusText(unsigned status);
+
+}  // namespace volumen

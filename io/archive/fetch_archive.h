@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "io/archive/archives.h"
+#include "io/study/progress.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// What is fetched from an archive: a study, or one of its series.
+struct FetchRequest {
+  std::string studyUid;
+  std::string seriesUid;  ///< empty: all
+  std::string folder;     ///< files go to folders of their series in it, named by us
+};
+
+struct FetchReport {
+  int expected = 0;     ///< instances that the archive lists
+  int fetched = 0;      ///< of them
+  int alreadyHere = 0;  ///< of them, fetched before
+  std::uint64_t bytes = 0;
+  std::vector<std::string> missing;   ///< SOP Instance UIDs of the others
+  std::vector<std::string> problems;  ///< why some are missing, sentences
+};
+
+/// Returns a file name for a UID of an archive, which may hold anything: 32 hexadecimal digits.
+std::string nameForUid(const std::string& uid);
+
+/// Fetches a study over associations of its own (C-GET), each instance with the bytes that the archive holds.
+/// Instances that are in the folder are not fetched again, so that an interrupted fetch continues. The Error:
+/// nothing could be fetched.
+Result<FetchReport> fetchFromArchive(const Archive& archive, const FetchRequest& request,
+                                     const Progress& progress, const CancelToken& cancel);
+
+}  // namespace volumen

@@ -1,0 +1,252 @@
+#include "io/archive/search_archive.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdatset.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
+#include <dcmtk/dcmdata/dcuid.h>
+
+#include <QDate>
+#include <algorithm>
+#include <charconv>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "io/archive/association.h"
+#include "io/archive/search_words.h"
+#include "io/dicom/data_set.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr const char* studyRoot = UID_FINDStudyRootQueryRetrieveInformationModel;
+
+std::string today() { return QDate::currentDate().toString(QStringLiteral("yyyyMMdd")).toStdString(); }
+
+// An answer's texts in UTF-8.
+class Answer {
+ public:
+  Answer(DcmDataset& data, const std::string& usualSet) : data_(data), set_(usualSet) {
+    if (const std::string own = bytes(DCM_SpecificCharacterSet); !own.empty()) set_ = own;
+  }
+  std::string text(const DcmTagKey& tag) const { return dicom::toUtf8(bytes(tag), set_); }
+  std::string date(const DcmTagKey& tag) const { return dicom::dateOrTime(bytes(tag)); }
+  // Returns -1 if the archive does not tell.
+  int count(const DcmTagKey& tag) const {
+    const std::string digits = bytes(tag);
+    int count = -1;
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
+    return error == std::errc() && end == digits.data() + digits.size() && count >= 0 ? count : -1;
+  }
+
+ private:
+  std::string bytes(const DcmTagKey& tag) const {
+    OFString value;
+    if (data_.findAndGetOFStringArray(tag, value).bad()) return {};
+    std::string out(value.c_str(), value.length());
+    const auto isPadding = [](char c) { return c == ' ' || c == '\0'; };
+    while (!out.empty() && isPadding(out.back())) out.pop_back();
+    out.erase(0, out.find_first_not_of(' ') == std::string::npos ? 0 : out.find_first_not_of(' '));
+    return out;
+  }
+  DcmDataset& data_;
+  std::string set_;
+};
+
+void put(DcmDataset& data, const DcmTagKey& tag, const std::string& value) {
+  data.putAndInsertOFStringArray(tag, OFString(value.c_str(), value.size()));
+}
+
+void putEmpty(DcmDataset& data, std::initializer_list<DcmTagKey> tags) {
+  for (const DcmTagKey& tag : tags) data.insertEmptyElement(tag);
+}
+
+DcmDataset dataSetOf(const StudyKeys& keys) {
+  DcmDataset data;
+  put(data, DCM_SpecificCharacterSet, "ISO_IR 192");
+  put(data, DCM_QueryRetrieveLevel, "STUDY");
+  put(data, DCM_PatientName, keys.patientName);
+  put(data, DCM_PatientID, keys.patientId);
+  put(data, DCM_AccessionNumber, keys.accessionNumber);
+  put(data, DCM_StudyDescription, keys.description);
+  put(data, DCM_StudyDate, keys.dates);
+  put(data, DCM_ModalitiesInStudy, keys.modality);
+  putEmpty(data, {DCM_StudyInstanceUID, DCM_StudyTime, DCM_PatientBirthDate, DCM_PatientSex,
+                  DCM_InstitutionName, DCM_NumberOfStudyRelatedSeries, DCM_NumberOfStudyRelatedInstances});
+  return data;
+}
+
+DcmDataset seriesKeysOf(const std::string& studyUid) {
+  DcmDataset data;
+  put(data, DCM_SpecificCharacterSet, "ISO_IR 192");
+  put(data, DCM_QueryRetrieveLevel, "SERIES");
+  put(data, DCM_StudyInstanceUID, studyUid);
+  putEmpty(data, {DCM_SeriesInstanceUID, DCM_SeriesNumber, DCM_Modality, DCM_SeriesDescription,
+                  DCM_SeriesDate, DCM_SeriesTime, DCM_NumberOfSeriesRelatedInstances});
+  return data;
+}
+
+// "CT\PT" as "CT, PT", sorted.
+std::string listed(std::string modalities) {
+  std::ranges::replace(modalities, '\\', ' ');
+  std::istringstream words(modalities);
+  std::set<std::string> sorted;
+  for (std::string word; words >> word;) sorted.insert(word);
+  std::string out;
+  for (const std::string& modality : sorted) out += (out.empty() ? "" : ", ") + modality;
+  return out;
+}
+
+IndexedStudy studyOf(const Answer& a) {
+  IndexedStudy s;
+  s.patientName = a.text(DCM_PatientName), s.patientId = a.text(DCM_PatientID);
+  s.birthDate = a.date(DCM_PatientBirthDate), s.sex = a.text(DCM_PatientSex);
+  s.studyUid = a.text(DCM_StudyInstanceUID);
+  s.date = a.date(DCM_StudyDate), s.time = a.date(DCM_StudyTime);
+  s.description = a.text(DCM_StudyDescription), s.accessionNumber = a.text(DCM_AccessionNumber);
+  s.institution = a.text(DCM_InstitutionName);
+  s.modalities = listed(a.text(DCM_ModalitiesInStudy));
+  s.series = a.count(DCM_NumberOfStudyRelatedSeries), s.images = a.count(DCM_NumberOfStudyRelatedInstances);
+  return s;
+}
+
+IndexedSeries seriesOf(const Answer& a) {
+  IndexedSeries s;
+  s.seriesUid = a.text(DCM_SeriesInstanceUID), s.number = a.text(DCM_SeriesNumber);
+  s.modality = a.text(DCM_Modality), s.description = a.text(DCM_SeriesDescription);
+  s.date = a.date(DCM_SeriesDate), s.time = a.date(DCM_SeriesTime);
+  s.images = a.count(DCM_NumberOfSeriesRelatedInstances);
+  s.frames = -1;
+  return s;
+}
+
+// One search over one association.
+class Search {
+ public:
+  Search(Association& association, const Archive& archive, const ArchiveQuery& query,
+         const std::function<void(std::size_t)>& onStudies)
+      : association_(association),
+        archive_(archive),
+        query_(query),
+        words_(searchWords(query.words, today())),
+        onStudies_(onStudies) {}
+
+  Result<ArchiveAnswers> operator()() {
+    for (const StudyKeys& keys : questionsFor(words_)) {
+      // What matches everything is asked for only where nothing else helps.
+      if (keys == StudyKeys() && !found_.empty()) continue;
+      if (Status s = ask(keys); !s) return s.error();
+      if (full_) break;
+    }
+    if (found_.empty() && !refusal_.empty()) return Error{refusal_};
+    for (ArchiveStudy& study : found_)
+      if (Status s = complete(study); !s) return s.error();
+    // A study whose modalities came late may lack one of the words.
+    std::erase_if(found_, [&](const ArchiveStudy& s) {
+      return !s.study.modalities.empty() && !hasAll(words_, s.study);
+    });
+    const auto time = [](const ArchiveStudy& s) { return s.study.date + s.study.time; };
+    std::ranges::stable_sort(found_, std::greater(), time);
+    for (std::size_t n = 0; n < found_.size(); ++n) found_[n].study.id = std::int64_t(n) + 1;
+    return ArchiveAnswers{std::move(found_), full_ ? notAll() : refusal_};
+  }
+
+ private:
+  std::string notAll() const {
+    return "The archive \"" + archive_.name +
+           "\" may have more studies: only the first that it sent are listed. "
+           "Add a word or a date.";
+  }
+
+  Status ask(const StudyKeys& keys) {
+    DcmDataset data = dataSetOf(keys);
+    const auto end = association_.find(studyRoot, data, [&](DcmDataset& one) {
+      // An archive that ignores a key sends everything, and a faulty one never ends.
+      full_ = full_ || ++answers_ > 10 * std::int64_t(query_.limit) + 1000;
+      add(studyOf(Answer(one, archive_.characterSet)));
+      return !full_;
+    });
+    if (!end) return end.error();
+    addRefusal(end->refusal);
+    return {};
+  }
+
+  void addRefusal(const std::string& refusal) {
+    if (!refusal.empty()) refusal_ = "The archive \"" + archive_.name + "\" " + refusal + ".";
+  }
+
+  // Archives repeat studies, and may ignore a key.
+  void add(const IndexedStudy& study) {
+    if (study.studyUid.empty() || known_.count(study.studyUid)) return;
+    IndexedStudy judged = study;
+    // Modalities are optional. They are asked of the series.
+    if (judged.modalities.empty())
+      for (const SearchWord& word : words_)
+        if (!word.modality.empty())
+          judged.modalities += (judged.modalities.empty() ? "" : ", ") + word.modality;
+    if (!hasAll(words_, judged)) return;
+    if (int(found_.size()) >= query_.limit) return void(full_ = true);
+    known_.insert(study.studyUid);
+    found_.push_back({study, {}});
+    if (onStudies_) onStudies_(found_.size());
+  }
+
+  Status complete(ArchiveStudy& study) {
+    const bool asksModality =
+        std::ranges::any_of(words_, [](const SearchWord& word) { return !word.modality.empty(); });
+    const bool lacksModalities = study.study.modalities.empty() && asksModality;
+    if (!query_.withSeries && !lacksModalities) return {};
+    DcmDataset data = seriesKeysOf(study.study.studyUid);
+    std::string modalities;
+    std::set<std::string> known;
+    int answers = 0;
+    const auto end = association_.find(studyRoot, data, [&](DcmDataset& one) {
+      const Answer answer(one, archive_.characterSet);
+      IndexedSeries series = seriesOf(answer);
+      const std::string of = answer.text(DCM_StudyInstanceUID);
+      const bool isOther = !of.empty() && of != study.study.studyUid;
+      if (!series.seriesUid.empty() && !isOther && known.insert(series.seriesUid).second) {
+        modalities += series.modality + " ";
+        study.series.push_back(std::move(series));
+      }
+      return ++answers < mostSeries;
+    });
+    if (!end) return end.error();
+    addRefusal(end->refusal);
+    if (study.study.modalities.empty()) study.study.modalities = listed(modalities);
+    if (study.study.series < 0 && end->refusal.empty()) study.study.series = int(study.series.size());
+    if (!query_.withSeries) study.series.clear();
+    return {};
+  }
+
+  static constexpr int mostSeries = 100000;  // of one study
+
+  Association& association_;
+  const Archive& archive_;
+  const ArchiveQuery& query_;
+  const std::vector<SearchWord> words_;
+  const std::function<void(std::size_t)>& onStudies_;
+  std::vector<ArchiveStudy> found_;
+  std::set<std::string> known_;
+  std::int64_t answers_ = 0;
+  bool full_ = false;
+  std::string refusal_;
+};
+
+}  // namespace
+
+Status testArchive(const Archive& archive, const CancelToken& cancel) {
+  auto association = Association::open(archive, {plainService(UID_VerificationSOPClass)}, cancel);
+  return association ? association->echo() : association.error();
+}
+
+Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery& query,
+                                     const std::function<void(std::size_t)>& onStudies,
+                                     const CancelToken& cancel) {
+  auto association = Association::open(archive, {plainService(studyRoot)}, cancel);
+  if (!association) return association.error();
+  return Search(*association, archive, query, onStudies)();
+}
+
+}  // namespace volumen

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "io/archive/archives.h"
+#include "io/index/index.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// A search of an archive.
+struct ArchiveQuery {
+  std::string words;        ///< as a user types them (search_words.h)
+  int limit = 5000;         ///< largest number of studies
+  bool withSeries = false;  ///< lists the series of each study, too
+};
+
+struct ArchiveStudy {
+  IndexedStudy study;                 ///< `id` counts from 1; numbers of series and images are -1 if unknown
+  std::vector<IndexedSeries> series;  ///< empty unless asked for
+};
+
+struct ArchiveAnswers {
+  std::vector<ArchiveStudy> studies;  ///< newest first
+  /// Why there may be more: a limit was reached, or the archive ended the search. One sentence; empty if
+  /// these are all.
+  std::string incomplete;
+};
+
+/// Verifies that an archive answers. The Error says in one sentence what is wrong.
+Status testArchive(const Archive& archive, const CancelToken& cancel);
+
+/// Searches an archive. `onStudies` gets the number found so far. Answers that lack one of the words are left
+/// out, as archives may ignore a key.
+Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery& query,
+                                     const std::function<void(std::size_t)>& onStudies,
+                                     const CancelToken& cancel);
+
+}  // namespace volumen

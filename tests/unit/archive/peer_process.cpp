@@ -1,0 +1,70 @@
+#include "tests/unit/archive/peer_process.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+#include <QStandardPaths>
+#include <QTcpServer>
+#include <QTcpSocket>
+
+namespace volumen::tests {
+
+namespace {
+
+constexpr const char* configuration = R"(NetworkType     = "tcp"
+NetworkTCPPort  = %1
+MaxPDUSize      = 131072
+MaxAssociations = 16
+HostTable BEGIN
+me = (VOLUMEN, 127.0.0.1, 11113)
+HostTable END
+VendorTable BEGIN
+VendorTable END
+AETable BEGIN
+ARCH  %2  RW (200, 1024mb)  ANY
+AETable END
+)";
+
+bool listens(int port) {
+  QTcpSocket socket;
+  socket.connectToHost(QStringLiteral("127.0.0.1"), quint16(port));
+  return socket.waitForConnected(200);
+}
+
+}  // namespace
+
+int freePort() {
+  QTcpServer server;
+  server.listen(QHostAddress::LocalHost);
+  return server.serverPort();
+}
+
+bool QrPeer::isInstalled() { return !QStandardPaths::findExecutable(QStringLiteral("dcmqrscp")).isEmpty(); }
+
+QrPeer::QrPeer() : port_(freePort()) {}
+
+QrPeer::~QrPeer() {
+  process_.kill();
+  process_.waitForFinished();
+}
+
+void QrPeer::add(const QStringList& files) {
+  QProcess::execute(QStringLiteral("dcmqridx"), QStringList{folder_.path()} + files);
+}
+
+bool QrPeer::start() {
+  const QString path = folder_.filePath(QStringLiteral("qr.cfg"));
+  QFile file(path);
+  if (!file.open(QIODevice::WriteOnly)) return false;
+  file.write(QString::fromLatin1(configuration).arg(port_).arg(folder_.path()).toUtf8());
+  file.close();
+  // Its warnings would fill a pipe that nobody reads.
+  process_.setStandardOutputFile(QProcess::nullDevice());
+  process_.setStandardErrorFile(QProcess::nullDevice());
+  process_.start(QStringLiteral("dcmqrscp"), {QStringLiteral("-c"), path, QStringLiteral("+xt")});
+  QElapsedTimer since;
+  for (since.start(); since.elapsed() < 10000;)
+    if (listens(port_)) return true;
+  return false;
+}
+
+}  // namespace volumen::tests

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QProcess>
+#include <QTemporaryDir>
+
+namespace volumen::tests {
+
+/// Returns a port of this machine that is free.
+int freePort();
+
+/// An archive on this machine: DCMTK's dcmqrscp with the files that were added. Its AE title is ARCH.
+class QrPeer {
+ public:
+  /// Returns whether its programs are installed.
+  static bool isInstalled();
+  QrPeer();
+  ~QrPeer();
+
+  void add(const QStringList& files);
+  /// Starts it. Returns whether it listens within a few seconds.
+  bool start();
+  int port() const { return port_; }
+
+ private:
+  QTemporaryDir folder_;
+  QProcess process_;
+  const int port_;
+};
+
+}  // namespace volumen::tests

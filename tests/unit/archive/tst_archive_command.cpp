@@ -1,0 +1,432 @@
+// Guards `volumen archive`: searching a real archive (dcmqrscp), and the sentence on each thing that can be
+// wrong with a peer.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdatset.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
+#include <dcmtk/dcmdata/dcfilefo.h>
+
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTcpServer>
+#include <QTcpSocket>
+#include <QThread>
+#include <atomic>
+#include <functional>
+#include <memory>
+
+#include "tests/fixtures/program.h"
+#include "tests/unit/archive/peer_process.h"
+#include "tests/unit/io/dicom_writer.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+class TestArchiveCommand : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase();
+  void studiesAreFound_data();
+  void studiesAreFound();
+  void answersAreShapedAsThoseOfTheIndex();
+  void seriesAreListed();
+  void aLimitIsTold();
+  void nothingFoundIsNoFailure();
+  void fetchedInstancesAreThoseOfTheArchive();
+  void whatIsHereIsNotFetchedAgain();
+  void aStudyIsFetchedIntoTheIndex();
+  void whatCannotBeFetchedIsExplained_data();
+  void whatCannotBeFetchedIsExplained();
+  void peersThatFailAreExplained_data();
+  void peersThatFailAreExplained();
+  void aSilentPeerIsLeftAfterTenSeconds();
+  void wrongUsageIsRefused_data();
+  void wrongUsageIsRefused();
+
+ private:
+  QStringList with(const QString& command, const QStringList& more) const {
+    return QStringList{QStringLiteral("archive"), command, QStringLiteral("--archives"), file_} + more;
+  }
+  void list(const QByteArray& name, int port, const QByteArray& calledAe, const QByteArray& more = {});
+  QJsonArray studies(const QStringList& words) const;
+
+  QTemporaryDir folder_;
+  QString file_;
+  QStringList archives_;
+  std::unique_ptr<QrPeer> peer_;
+};
+
+namespace {
+
+struct Made {
+  const char *uid, *name, *charset, *id, *date, *modality, *description;
+};
+
+// Names as bytes of their character sets.
+constexpr Made made[] = {
+    {"1.2.1", "DOE^JANE", "", "PID1", "20260314", "CT", "Thorax"},
+    {"1.2.2", "doe^john", "", "PID2", "20260315", "MR", "Brain"},
+    {"1.2.3", "Buc^J\xe9r\xf4me", "ISO_IR 100", "PID3", "20250101", "CT", "Abdomen"},
+    {"1.2.4", "\xbb\xee\xda\x63\x65\xdc\xd1\x79\x70\xd3", "ISO_IR 144", "PID4", "20240101", "MR", "Knie"},
+    {"1.2.5", "\x1b$B$d$^$@\x1b(B^\x1b$B$?$m$&\x1b(B", "\\ISO 2022 IR 87", "PID5", "20230101", "CT", "Chest"},
+    {"1.2.6", "\xd7\xa9\xd7\xa8\xd7\x95\xd7\x9f", "ISO_IR 192", "PID6", "20220101", "US", "Liver"},
+};
+
+QStringList wordsOf(const char* words) {
+  return QString::fromUtf8(words).split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+QStringList uidsOf(const QJsonArray& studies) {
+  QStringList uids;
+  for (const QJsonValue& study : studies) uids << study[QStringLiteral("studyUid")].toString();
+  uids.sort();
+  return uids;
+}
+
+QString writeStudy(const QString& folder, const Made& m, int series) {
+  DicomPicture picture;
+  picture.seriesUid = std::string(m.uid) + "." + std::to_string(series);
+  picture.edit = [&](DcmDataset& data) {
+    data.putAndInsertString(DCM_SpecificCharacterSet, m.charset);
+    data.putAndInsertString(DCM_PatientName, m.name);
+    data.putAndInsertString(DCM_PatientID, m.id);
+    data.putAndInsertString(DCM_StudyInstanceUID, m.uid);
+    data.putAndInsertString(DCM_StudyDate, m.date);
+    data.putAndInsertString(DCM_StudyTime, "101112");
+    data.putAndInsertString(DCM_Modality, m.modality);
+    data.putAndInsertString(DCM_StudyDescription, m.description);
+    data.putAndInsertString(DCM_SOPInstanceUID, (picture.seriesUid + ".1").c_str());
+  };
+  const QString path = folder + QStringLiteral("/%1.dcm").arg(QString::fromStdString(picture.seriesUid));
+  writeDicom(path.toStdString(), picture);
+  return path;
+}
+
+QStringList filesBelow(const QString& folder) {
+  QStringList files;
+  for (QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); all.hasNext();)
+    files << all.next();
+  return files;
+}
+
+// What a transfer must not change.
+struct Instance {
+  std::string seriesUid, uid, name;
+  std::vector<Uint16> pixels;
+  bool operator==(const Instance&) const = default;
+};
+
+Instance instanceIn(const QString& path) {
+  DcmFileFormat file;
+  if (file.loadFile(path.toStdString().c_str()).bad()) return {};
+  DcmDataset& data = *file.getDataset();
+  const auto text = [&](const DcmTagKey& tag) {
+    OFString value;
+    data.findAndGetOFStringArray(tag, value);
+    return std::string(value.c_str());
+  };
+  const Uint16* pixels = nullptr;
+  unsigned long count = 0;
+  data.findAndGetUint16Array(DCM_PixelData, pixels, &count);
+  return {text(DCM_SeriesInstanceUID), text(DCM_SOPInstanceUID), text(DCM_PatientName),
+          std::vector<Uint16>(pixels, pixels + count)};
+}
+
+// A peer that is no archive: `answer` gets each connection.
+class FakePeer : public QThread {
+ public:
+  explicit FakePeer(std::function<void(QTcpSocket&)> answer) : answer_(std::move(answer)), port_(freePort()) {
+    start();
+    while (!listening_) msleep(1);
+  }
+  ~FakePeer() override {
+    requestInterruption();
+    wait();
+  }
+  int port() const { return port_; }
+
+ protected:
+  void run() override {
+    QTcpServer server;
+    server.listen(QHostAddress::LocalHost, quint16(port_));
+    listening_ = true;
+    while (!isInterruptionRequested())
+      if (server.waitForNewConnection(20)) answer_(*server.nextPendingConnection());
+  }
+
+ private:
+  const std::function<void(QTcpSocket&)> answer_;
+  const int port_;
+  std::atomic<bool> listening_{false};
+};
+
+}  // namespace
+
+void TestArchiveCommand::list(const QByteArray& name, int port, const QByteArray& calledAe,
+                              const QByteArray& more) {
+  archives_ << QString::fromUtf8(
+      "{\"name\": \"" + name + R"(", "kind": "dimse", "host": "127.0.0.1", "port": )" +
+      QByteArray::number(port) + ", \"calledAe\": \"" + calledAe + '"' + more + '}');
+  QFile out(file_);
+  QVERIFY(out.open(QIODevice::WriteOnly));
+  out.write("{\"archives\": [" + archives_.join(QStringLiteral(", ")).toUtf8() + "]}");
+}
+
+QJsonArray TestArchiveCommand::studies(const QStringList& words) const {
+  const Outcome done = runProgram(with(QStringLiteral("query"), QStringList{QStringLiteral("qr")} + words +
+                                                                    QStringList{QStringLiteral("--json")}));
+  if (done.status != 0) qCritical("%s", done.err.constData());
+  return QJsonDocument::fromJson(done.out)[QStringLiteral("studies")].toArray();
+}
+
+void TestArchiveCommand::initTestCase() {
+  file_ = folder_.filePath(QStringLiteral("archives.json"));
+  if (!QrPeer::isInstalled()) QSKIP("dcmqrscp is not installed (package dcmtk)");
+  peer_ = std::make_unique<QrPeer>();
+  QStringList files;
+  for (const Made& m : made) files << writeStudy(folder_.path(), m, 1);
+  files << writeStudy(folder_.path(), made[0], 2);
+  peer_->add(files);
+  QVERIFY(peer_->start());
+  list("qr", peer_->port(), "ARCH");
+}
+
+void TestArchiveCommand::studiesAreFound_data() {
+  QTest::addColumn<QStringList>("words");
+  QTest::addColumn<QStringList>("uids");
+  const auto row = [](const char* name, const char* words, const char* uids) {
+    QTest::newRow(name) << wordsOf(words) << wordsOf(uids);
+  };
+  row("all", "", "1.2.1 1.2.2 1.2.3 1.2.4 1.2.5 1.2.6");
+  row("small letters", "doe", "1.2.1 1.2.2");
+  row("capitals", "DOE", "1.2.1 1.2.2");
+  row("two words", "doe brain", "1.2.2");
+  row("part of an ID", "id3", "1.2.3");
+  row("a description", "thorax", "1.2.1");
+  row("a modality", "ct", "1.2.1 1.2.3 1.2.5");
+  row("a modality and a name", "ct doe", "1.2.1");
+  row("a year", "2026", "1.2.1 1.2.2");
+  row("a year and a name", "2026 jane", "1.2.1");
+  row("family name and given name", "Doe, John", "1.2.2");
+  row("a word that is a command", "import", "");
+  row("a day", "2026-03-14", "1.2.1");
+  row("a month", "2026-03", "1.2.1 1.2.2");
+  row("a range", "20240101-20251231", "1.2.3 1.2.4");
+  row("Latin 1", "jérôme", "1.2.3");
+  row("the whole name", "buc^jérôme", "1.2.3");
+  row("Cyrillic", "люкceмбypг", "1.2.4");
+  row("Japanese", "やまだ", "1.2.5");
+  row("Hebrew", "שרון", "1.2.6");
+  row("a wildcard", "d?e", "1.2.1 1.2.2");
+  row("a wildcard in a description", "d*e", "1.2.1 1.2.2 1.2.3");
+}
+
+void TestArchiveCommand::studiesAreFound() {
+  QFETCH(QStringList, words);
+  QFETCH(QStringList, uids);
+  QCOMPARE(uidsOf(studies(words)), uids);
+}
+
+void TestArchiveCommand::answersAreShapedAsThoseOfTheIndex() {
+  const QJsonArray found = studies({QStringLiteral("PID3")});
+  QCOMPARE(found.size(), 1);
+  const QJsonObject study = found[0].toObject();
+  QCOMPARE(study[QStringLiteral("patient")].toObject()[QStringLiteral("name")].toString(),
+           QStringLiteral("Buc^Jérôme"));
+  QCOMPARE(study[QStringLiteral("date")].toString(), QStringLiteral("2025-01-01"));
+  QCOMPARE(study[QStringLiteral("number")].toInt(), 1);
+  // dcmqrscp does not tell how many there are.
+  QVERIFY(study[QStringLiteral("images")].isNull());
+  const QString folder = folder_.filePath(QStringLiteral("index"));
+  QCOMPARE(runProgram({QStringLiteral("import"), QStringLiteral("--index"), folder,
+                       folder_.filePath(QStringLiteral("1.2.3.1.dcm"))})
+               .status,
+           0);
+  const Outcome listed =
+      runProgram({QStringLiteral("list"), QStringLiteral("--index"), folder, QStringLiteral("--json")});
+  const QJsonObject indexed =
+      QJsonDocument::fromJson(listed.out)[QStringLiteral("studies")].toArray()[0].toObject();
+  QCOMPARE(study.keys(), indexed.keys());
+}
+
+void TestArchiveCommand::seriesAreListed() {
+  const QJsonArray found = studies({QStringLiteral("jane"), QStringLiteral("--series")});
+  QCOMPARE(found.size(), 1);
+  QCOMPARE(found[0].toObject()[QStringLiteral("series")].toArray().size(), 2);
+  QCOMPARE(found[0].toObject()[QStringLiteral("modalities")].toString(), QStringLiteral("CT"));
+}
+
+void TestArchiveCommand::aLimitIsTold() {
+  const Outcome done = runProgram(
+      with(QStringLiteral("query"), {QStringLiteral("qr"), QStringLiteral("--limit"), QStringLiteral("2")}));
+  QCOMPARE(done.status, 0);
+  QCOMPARE(done.out.count('\n'), 3);
+  QCOMPARE(done.err, QByteArray("volumen: The archive \"qr\" may have more studies: only the first that it "
+                                "sent are listed. Add a word or a "
+                                "date.\n"));
+}
+
+void TestArchiveCommand::nothingFoundIsNoFailure() {
+  const Outcome done =
+      runProgram(with(QStringLiteral("query"), {QStringLiteral("qr"), QStringLiteral("nobody")}));
+  QCOMPARE(done.status, 0);
+  QCOMPARE(done.err, QByteArray("No study has all of these words.\n"));
+  QCOMPARE(studies({QStringLiteral("nobody")}).size(), 0);
+}
+
+void TestArchiveCommand::fetchedInstancesAreThoseOfTheArchive() {
+  for (const Made& m : made) {
+    const QString folder = folder_.filePath(QStringLiteral("of ") + QString::fromLatin1(m.uid));
+    const Outcome done =
+        runProgram(with(QStringLiteral("fetch"), {QStringLiteral("qr"), QString::fromLatin1(m.uid),
+                                                  QStringLiteral("-o"), folder, QStringLiteral("--json")}));
+    QVERIFY2(done.status == 0, done.err);
+    QVERIFY2(done.err.isEmpty(), done.err);
+    const QJsonObject told = QJsonDocument::fromJson(done.out).object();
+    const QStringList files = filesBelow(folder);
+    QCOMPARE(told[QStringLiteral("fetched")].toInt(), files.size());
+    QCOMPARE(files.size(), m.uid == made[0].uid ? 2 : 1);
+    for (const QString& file : files) {
+      const Instance fetched = instanceIn(file);
+      const QString source = QString::fromStdString(fetched.seriesUid) + QStringLiteral(".dcm");
+      QVERIFY(fetched == instanceIn(folder_.filePath(source)));
+      QCOMPARE(fetched.name, std::string(m.name));
+    }
+  }
+}
+
+void TestArchiveCommand::whatIsHereIsNotFetchedAgain() {
+  const QString folder = folder_.filePath(QStringLiteral("twice"));
+  const auto fetch = [&] {
+    return runProgram(with(QStringLiteral("fetch"),
+                           {QStringLiteral("qr"), QStringLiteral("1.2.1"), QStringLiteral("-o"), folder}))
+        .out;
+  };
+  QCOMPARE(fetch(), "Fetched 2 of 2 images: " + folder.toUtf8() + '\n');
+  QCOMPARE(fetch(), "Fetched 0 of 2 images; 2 were here already: " + folder.toUtf8() + '\n');
+  QVERIFY(QFile::remove(filesBelow(folder).first()));
+  QCOMPARE(fetch(), "Fetched 1 of 2 images; 1 were here already: " + folder.toUtf8() + '\n');
+  QCOMPARE(filesBelow(folder).size(), 2);
+  const Outcome one =
+      runProgram(with(QStringLiteral("fetch"), {QStringLiteral("qr"), QStringLiteral("1.2.1/1.2.1.2"),
+                                                QStringLiteral("-o"), folder + QStringLiteral("/one")}));
+  QVERIFY2(one.out.startsWith("Fetched 1 of 1 images: "), one.out);
+}
+
+void TestArchiveCommand::aStudyIsFetchedIntoTheIndex() {
+  const QString index = folder_.filePath(QStringLiteral("fetched index"));
+  const Outcome done =
+      runProgram(with(QStringLiteral("fetch"),
+                      {QStringLiteral("qr"), QStringLiteral("1.2.3"), QStringLiteral("--index"), index}));
+  QVERIFY2(done.status == 0, done.err);
+  const Outcome listed =
+      runProgram({QStringLiteral("list"), QStringLiteral("--index"), index, QStringLiteral("--json")});
+  QCOMPARE(uidsOf(QJsonDocument::fromJson(listed.out)[QStringLiteral("studies")].toArray()),
+           QStringList{QStringLiteral("1.2.3")});
+}
+
+void TestArchiveCommand::whatCannotBeFetchedIsExplained_data() {
+  QTest::addColumn<QString>("study");
+  QTest::addColumn<QString>("folder");
+  QTest::addColumn<QByteArray>("sentence");
+  const auto row = [](const char* name, const char* study, const char* folder, const char* sentence) {
+    QTest::newRow(name) << QString::fromLatin1(study) << QString::fromLatin1(folder) << QByteArray(sentence);
+  };
+  row("an unknown study", "9.9.9", "", "The archive \"qr\" lists no images of this study.");
+  row("an unknown series", "1.2.1/9.9.9", "", "The archive \"qr\" lists no images of this series.");
+  row("a UID that is a path", "..", "", "The archive \"qr\" lists no images of this study.");
+  row("a folder that cannot be made", "1.2.1", "/proc/none", "/proc/none");
+}
+
+void TestArchiveCommand::whatCannotBeFetchedIsExplained() {
+  QFETCH(QString, study);
+  QFETCH(QString, folder);
+  QFETCH(QByteArray, sentence);
+  const QString to = folder.isEmpty() ? folder_.filePath(QStringLiteral("nothing")) : folder;
+  const Outcome done =
+      runProgram(with(QStringLiteral("fetch"), {QStringLiteral("qr"), study, QStringLiteral("-o"), to}));
+  QCOMPARE(done.status, 1);
+  QVERIFY2(done.err.contains(sentence), done.err);
+  QVERIFY(done.out.isEmpty());
+  QVERIFY(filesBelow(to).isEmpty());
+}
+
+void TestArchiveCommand::peersThatFailAreExplained_data() {
+  QTest::addColumn<QByteArray>("name");
+  QTest::addColumn<QByteArray>("sentence");
+  QTest::newRow("an AE title that is not known")
+      << QByteArray("called") << QByteArray("does not go by the AE title NOBODY: correct \"calledAe\".");
+  QTest::newRow("no listener") << QByteArray("closed")
+                               << QByteArray("cannot be reached: Connection refused.");
+  QTest::newRow("an unknown host") << QByteArray("host")
+                                   << QByteArray("cannot be found: no address is known for this host.");
+  QTest::newRow("HTTP") << QByteArray("http")
+                        << QByteArray("does not answer in DICOM: is this the port of another service");
+  QTest::newRow("a peer that hangs up")
+      << QByteArray("hangs up")
+      << QByteArray("ends the connection at once: it may expect TLS, or not know our");
+  QTest::newRow("TLS on a plain port") << QByteArray("tls") << QByteArray("does not agree on TLS: ");
+  QTest::newRow("an unknown name") << QByteArray("nobody") << QByteArray("There is no archive \"nobody\"");
+}
+
+void TestArchiveCommand::peersThatFailAreExplained() {
+  QFETCH(QByteArray, name);
+  QFETCH(QByteArray, sentence);
+  const FakePeer http([](QTcpSocket& socket) {
+    socket.waitForReadyRead(1000);
+    socket.write("HTTP/1.1 400 Bad Request\r\nConnection: close\r\n\r\n");
+    socket.disconnectFromHost();
+    socket.waitForDisconnected(1000);
+  });
+  const FakePeer hangsUp([](QTcpSocket& socket) { socket.abort(); });
+  archives_.resize(1);
+  list("called", peer_->port(), "NOBODY");
+  list("closed", freePort(), "ARCH");
+  list("http", http.port(), "ARCH");
+  list("hangs up", hangsUp.port(), "ARCH");
+  list("tls", peer_->port(), "ARCH", ", \"tls\": {\"pin\": \"" + QByteArray(64, '0') + "\"}");
+  archives_ << QStringLiteral(
+      R"({"name": "host", "kind": "dimse", "host": "no.such.host.invalid", "calledAe": "A"})");
+  list("last", freePort(), "ARCH");
+  const Outcome done = runProgram(with(QStringLiteral("test"), {QString::fromUtf8(name)}));
+  QCOMPARE(done.status, 1);
+  QVERIFY2(done.err.contains(sentence), done.err);
+  QCOMPARE(done.err.count('\n'), 1);
+  QVERIFY(done.out.isEmpty());
+}
+
+void TestArchiveCommand::aSilentPeerIsLeftAfterTenSeconds() {
+  const FakePeer silent([](QTcpSocket& socket) { socket.waitForDisconnected(30000); });
+  archives_.resize(1);
+  list("silent", silent.port(), "ARCH");
+  const Outcome done = runProgram(with(QStringLiteral("test"), {QStringLiteral("silent")}));
+  QCOMPARE(done.status, 1);
+  QVERIFY2(done.err.contains("does not answer within 10 s."), done.err);
+}
+
+void TestArchiveCommand::wrongUsageIsRefused_data() {
+  QTest::addColumn<QStringList>("words");
+  QTest::addColumn<QByteArray>("sentence");
+  const auto row = [](const char* name, const char* words, const char* sentence) {
+    QTest::newRow(name) << wordsOf(words) << QByteArray(sentence);
+  };
+  row("no command", "", "Missing COMMAND: list, test, query, fetch.");
+  row("no name", "query", "Missing NAME: the archive's name");
+  row("an unknown option", "query qr --seires", "Unknown option --seires. Did you mean --series?");
+  row("no such file", "list --archives nowhere.json", "nowhere.json cannot be read: no such file.");
+  row("limit 0", "query qr --limit 0", "\"0\" is not a whole number from 1 to 1000000.");
+}
+
+void TestArchiveCommand::wrongUsageIsRefused() {
+  QFETCH(QStringList, words);
+  QFETCH(QByteArray, sentence);
+  const Outcome done = runProgram(QStringList{QStringLiteral("archive")} + words);
+  QCOMPARE(done.status, words.contains(QLatin1String("nowhere.json")) ? 1 : 2);
+  QVERIFY2(done.err.contains(sentence), done.err);
+}
+
+VOLUMEN_TEST(TestArchiveCommand);
+#include "tst_archive_command.moc"

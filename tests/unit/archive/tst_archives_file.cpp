@@ -1,0 +1,123 @@
+// Guards the file of archives: what it may hold, and what each sentence names.
+#include <QTemporaryDir>
+
+#include "io/archive/archives.h"
+#include "tests/fixtures/program.h"
+#include "tests/unit/io/dicom_writer.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestArchivesFile : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void problemsAreNamed_data();
+  void problemsAreNamed();
+  void whatIsWrittenIsReadAgain();
+  void aMissingFileHoldsNoArchive();
+  void anUnknownNameIsAnsweredWithTheKnownOnes();
+};
+
+namespace {
+
+QByteArray archiveWith(const QByteArray& fields) {
+  return R"({"archives": [{"name": "main", "kind": "dimse", "host": "localhost", "calledAe": "PACS")" +
+         fields + "}]}";
+}
+
+}  // namespace
+
+void TestArchivesFile::problemsAreNamed_data() {
+  QTest::addColumn<QByteArray>("json");
+  QTest::addColumn<QByteArray>("problem");  // empty: it is read
+  const auto row = [](const char* name, const QByteArray& json, const char* problem) {
+    QTest::newRow(name) << json << QByteArray(problem);
+  };
+  row("none", "{}", "");
+  row("the least", archiveWith(""), "");
+  row("all of it",
+      archiveWith(
+          R"(, "port": 11112, "callingAe": "US", "characterSet": "ISO_IR 100", "tls": {"ca": "ca.pem"})"),
+      "");
+  row("no JSON", "{", "line 1");
+  row("no name", R"({"archives": [{"kind": "dimse", "host": "h", "calledAe": "A"}]})",
+      "archives[0].name is missing");
+  row("a name that is a path",
+      R"({"archives": [{"name": "a/b", "kind": "dimse", "host": "h", "calledAe": "A"}]})",
+      "archives[0].name must be 1 to 64 characters without \":\" and \"/\"");
+  row("a name twice",
+      R"({"archives": [{"name": "a", "kind": "dimse", "host": "h", "calledAe": "A"},
+                       {"name": "a", "kind": "dimse", "host": "h", "calledAe": "A"}]})",
+      "archives[0].name is used twice: \"a\"");
+  row("an unknown kind", R"({"archives": [{"name": "a", "kind": "fax", "host": "h", "calledAe": "A"}]})",
+      "archives[0].kind must be \"dimse\", not \"fax\"");
+  row("no host", R"({"archives": [{"name": "a", "kind": "dimse", "calledAe": "A"}]})",
+      "archives[0].host is missing");
+  row("a host with a port",
+      R"({"archives": [{"name": "a", "kind": "dimse", "host": "h:104", "calledAe": "A"}]})",
+      "archives[0].host must be a name or an address of up to 56 characters, without a port");
+  row("no AE title", R"({"archives": [{"name": "a", "kind": "dimse", "host": "h"}]})",
+      "archives[0].calledAe is missing");
+  row("an AE title of blanks", archiveWith(R"(, "callingAe": "  ")"),
+      "archives[0].callingAe must be an AE title, not empty");
+  row("an AE title of 17 characters", archiveWith(R"(, "callingAe": "ABCDEFGHIJKLMNOPQ")"),
+      "archives[0].callingAe must have at most 16 characters");
+  row("an AE title with a backslash", archiveWith(R"(, "callingAe": "A\\B")"),
+      "archives[0].callingAe must be printable ASCII without backslash");
+  row("an AE title with an umlaut", archiveWith(R"(, "callingAe": "MÜLLER")"),
+      "archives[0].callingAe must be printable ASCII without backslash");
+  row("port 0", archiveWith(R"(, "port": 0)"), "archives[0].port must be in 1 .. 65535");
+  row("TLS that trusts nobody", archiveWith(R"(, "tls": {})"),
+      "archives[0].tls.pin or \"ca\" must say which certificate the archive has");
+  row("a short pin", archiveWith(R"(, "tls": {"pin": "ab"})"),
+      "archives[0].tls.pin must have 64 hexadecimal digits");
+  row("a certificate without its key", archiveWith(R"(, "tls": {"ca": "c", "certificate": "c"})"),
+      "archives[0].tls.key and \"certificate\" belong together");
+  row("an unknown field", archiveWith(R"(, "password": "secret")"), "archives[0].password");
+}
+
+void TestArchivesFile::problemsAreNamed() {
+  QFETCH(QByteArray, json);
+  QFETCH(QByteArray, problem);
+  const auto archives = parseArchives(json.toStdString());
+  QCOMPARE(archives.ok(), problem.isEmpty());
+  if (archives) return;
+  const QByteArray said = QByteArray::fromStdString(archives.message());
+  QVERIFY2(said.contains(problem), said);
+  QVERIFY2(!said.contains("secret"), said);
+}
+
+void TestArchivesFile::whatIsWrittenIsReadAgain() {
+  Archives all;
+  Archive plain;
+  plain.name = "main", plain.host = "localhost", plain.calledAe = "PACS";
+  Archive full = plain;
+  full.name = "Düsseldorf 2", full.port = 11112, full.callingAe = "US", full.characterSet = "ISO_IR 100";
+  full.tls = TlsSettings{std::string(64, 'a'), "ca.pem", "our.pem", "key.pem"};
+  all.archives = {plain, full};
+  const auto read = parseArchives(archivesToJson(all));
+  QVERIFY2(read.ok(), read.ok() ? "" : read.message().c_str());
+  QVERIFY(*read == all);
+}
+
+void TestArchivesFile::aMissingFileHoldsNoArchive() {
+  const QTemporaryDir folder;
+  const std::string path = folder.filePath(QStringLiteral("none.json")).toStdString();
+  const auto none = readArchives(path);
+  QVERIFY(none.ok() && none->archives.empty());
+  const auto named = archiveNamed(*none, "main", path);
+  QCOMPARE(QString::fromStdString(named.message()),
+           QStringLiteral("No archive is set up: add one to %1 (man volumen, ARCHIVES).")
+               .arg(QString::fromStdString(path)));
+}
+
+void TestArchivesFile::anUnknownNameIsAnsweredWithTheKnownOnes() {
+  const auto all = parseArchives(archiveWith("").toStdString());
+  QVERIFY(archiveNamed(*all, "main", "F").ok());
+  QCOMPARE(archiveNamed(*all, "mian", "F").message(),
+           std::string("There is no archive \"mian\": F lists \"main\"."));
+}
+
+VOLUMEN_TEST(TestArchivesFile);
+#include "tst_archives_file.moc"
