@@ -40,7 +40,7 @@ Result<Archive> chosen(const ArchiveOptions& options) {
 }
 
 std::string addressOf(const Archive& archive) {
-  return archive.host + ":" + std::to_string(archive.port) + (archive.tls ? " (TLS)" : "");
+  return archive.host + ":" + std::to_string(archive.port) + (archive.tls ? ", TLS" : "");
 }
 
 int list(const ArchiveOptions& options) {

@@ -24,13 +24,17 @@ ARCH  %2  RW (200, 1024mb)  ANY
 AETable END
 )";
 
-bool listens(int port) {
-  QTcpSocket socket;
-  socket.connectToHost(QStringLiteral("127.0.0.1"), quint16(port));
-  return socket.waitForConnected(200);
-}
-
 }  // namespace
+
+bool listensAt(int port) {
+  QElapsedTimer since;
+  for (since.start(); since.elapsed() < 10000;) {
+    QTcpSocket socket;
+    socket.connectToHost(QStringLiteral("127.0.0.1"), quint16(port));
+    if (socket.waitForConnected(200)) return true;
+  }
+  return false;
+}
 
 int freePort() {
   QTcpServer server;
@@ -61,10 +65,7 @@ bool QrPeer::start() {
   process_.setStandardOutputFile(QProcess::nullDevice());
   process_.setStandardErrorFile(QProcess::nullDevice());
   process_.start(QStringLiteral("dcmqrscp"), {QStringLiteral("-c"), path, QStringLiteral("+xt")});
-  QElapsedTimer since;
-  for (since.start(); since.elapsed() < 10000;)
-    if (listens(port_)) return true;
-  return false;
+  return listensAt(port_);
 }
 
 }  // namespace volumen::tests

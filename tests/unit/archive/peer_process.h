@@ -8,6 +8,9 @@ namespace volumen::tests {
 /// Returns a port of this machine that is free.
 int freePort();
 
+/// Waits a few seconds until something listens at a port of this machine. Returns whether it does.
+bool listensAt(int port);
+
 /// An archive on this machine: DCMTK's dcmqrscp with the files that were added. Its AE title is ARCH.
 class QrPeer {
  public:
