@@ -85,6 +85,15 @@ Status RegularFile::readUpTo(std::vector<std::uint8_t>& bytes, std::uint64_t len
   return readAll(have, std::span(bytes).subspan(have));
 }
 
+Result<std::string> wholeText(const std::string& path, std::uint64_t mostBytes, const char* what) {
+  const auto file = RegularFile::open(path);
+  if (!file) return Error{path + " cannot be read: " + file.message() + "."};
+  if (file->size() > mostBytes) return Error{path + " is too large for " + what + "."};
+  const auto bytes = file->read(0, file->size());
+  if (!bytes) return Error{path + " cannot be read: " + bytes.message() + "."};
+  return std::string(bytes->begin(), bytes->end());
+}
+
 std::string fileName(const std::string& path) { return path.substr(path.find_last_of('/') + 1); }
 
 }  // namespace volumen

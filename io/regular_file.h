@@ -41,6 +41,10 @@ class RegularFile {
   std::uint64_t size_;
 };
 
+/// Returns the whole text of a file of up to `mostBytes`. `what` says what it should hold, "a recipe". The
+/// Error is a sentence that names the file.
+Result<std::string> wholeText(const std::string& path, std::uint64_t mostBytes, const char* what);
+
 /// Returns the last part of a path.
 std::string fileName(const std::string& path);
 

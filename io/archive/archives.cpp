@@ -1,9 +1,9 @@
 #include "io/archive/archives.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 
+#include "io/files/preset_files.h"
 #include "io/regular_file.h"
 #include "viewer/scene/fields.h"
 
@@ -95,21 +95,14 @@ std::string archivesToJson(const Archives& archives) {
   return jsonOf(archives).dump(1, ' ', false, JsonFields::Json::error_handler_t::replace) + "\n";
 }
 
-std::string userArchivesFile() {
-  const char *config = std::getenv("XDG_CONFIG_HOME"), *home = std::getenv("HOME");
-  if (config && *config) return std::string(config) + "/volumen/archives.json";
-  return home && *home ? std::string(home) + "/.config/volumen/archives.json" : "";
-}
+std::string userArchivesFile() { return configFolder() + "/archives.json"; }
 
 Result<Archives> readArchives(const std::string& path) {
   std::error_code ignored;
-  if (path.empty() || !std::filesystem::exists(path, ignored)) return Archives{};
-  const auto file = RegularFile::open(path);
-  if (!file) return Error{path + " cannot be read: " + file.message() + "."};
-  if (file->size() > mostBytesOfList) return Error{path + " is too large for a list of archives."};
-  const auto bytes = file->read(0, file->size());
-  if (!bytes) return Error{path + " cannot be read: " + bytes.message() + "."};
-  auto archives = parseArchives(std::string(bytes->begin(), bytes->end()));
+  if (!std::filesystem::exists(path, ignored)) return Archives{};
+  const auto text = wholeText(path, mostBytesOfList, "a list of archives");
+  if (!text) return text.error();
+  auto archives = parseArchives(*text);
   if (!archives) return Error{path + ": " + archives.message()};
   return archives;
 }

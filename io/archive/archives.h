@@ -44,8 +44,7 @@ std::string problemOfAeTitle(const std::string& title);
 Result<Archives> parseArchives(const std::string& json);
 std::string archivesToJson(const Archives& archives);
 
-/// Returns $XDG_CONFIG_HOME/volumen/archives.json, else ~/.config/volumen/archives.json; empty if there is no
-/// home.
+/// Returns the path of the user's list, archives.json among the user's settings.
 std::string userArchivesFile();
 
 /// Reads a file of archives. A missing one holds none.

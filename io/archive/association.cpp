@@ -24,7 +24,7 @@ namespace {
 constexpr int connectSeconds = 5, associationSeconds = 10, silenceSeconds = 30;
 constexpr std::size_t mostContexts = 128;  // odd numbers up to 255 (PS3.8 9.3.2.2)
 
-// The innermost cause of a failure. DCMTK puts each in a line of its own, "0006:031d TEXT".
+// The innermost cause of a failure. DCMTK writes each cause in a line of its own: "0006:031d TEXT".
 struct Cause {
   unsigned code;
   std::string text;  // without a full stop
@@ -49,7 +49,7 @@ Cause causeOf(const OFCondition& why) {
 
 std::string inSeconds(std::chrono::seconds time) { return std::to_string(time.count()) + " s"; }
 
-// Returns the end of a sentence.
+// Return why a connection failed, as the end of a sentence.
 std::string tlsFailure(const Archive& archive, const std::string& reason) {
   if (reason.find("certificate verify failed") != std::string::npos)
     return "has a certificate that " + archive.tls->ca + " does not vouch for.";
@@ -64,7 +64,7 @@ std::string hangUp(const Archive& archive) {
          "not know our AE title " + archive.callingAe + ".";
 }
 
-// PS3.8 9.3.4. Returns the end of a sentence.
+// Returns why an association was rejected (PS3.8 9.3.4), as the end of a sentence.
 std::string whyRejected(const T_ASC_RejectParameters& rejected, const Archive& archive) {
   switch (rejected.reason) {
     case ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED:
@@ -227,10 +227,8 @@ Result<Association> Association::open(const Archive& archive, const std::vector<
   return Association(std::move(p));
 }
 
-bool Association::offers(const std::string& sopClass) const { return p_->contextOf(sopClass) != 0; }
-
 Status Association::echo() {
-  if (!offers(UID_VerificationSOPClass)) return p_->says("offers no verification (C-ECHO)");
+  if (p_->contextOf(UID_VerificationSOPClass) == 0) return p_->says("offers no verification (C-ECHO)");
   DIC_US status = 0;
   DcmDataset* detail = nullptr;
   const OFCondition done =
@@ -270,7 +268,7 @@ void onFound(void* data, T_DIMSE_C_FindRQ* request, int, T_DIMSE_C_FindRSP*, Dcm
   DIMSE_sendCancelRequest(answers.association, answers.context, request->MessageID);
 }
 
-// PS3.4 C.4.1.1.4. Returns the end of a sentence.
+// Returns what a status of C-FIND means (PS3.4 C.4.1.1.4), as the end of a sentence.
 std::string searchRefusal(unsigned status) {
   if (status == STATUS_FIND_Refused_OutOfResources)
     return "refuses the search as too large: add a word or a date";
@@ -281,8 +279,8 @@ std::string searchRefusal(unsigned status) {
 
 }  // namespace
 
-Result<FindEnd> Association::find(const std::string& model, DcmDataset& keys,
-                                  const std::function<bool(DcmDataset&)>& onAnswer) {
+Result<std::string> Association::find(const std::string& model, DcmDataset& keys,
+                                      const std::function<bool(DcmDataset&)>& onAnswer) {
   const T_ASC_PresentationContextID context = p_->contextOf(model);
   if (context == 0) return p_->says("offers no search (C-FIND)");
   T_DIMSE_C_FindRQ request{};
@@ -300,14 +298,12 @@ Result<FindEnd> Association::find(const std::string& model, DcmDataset& keys,
   delete detail;
   if (done.bad()) {
     const Error failure = p_->failure(done);
-    if (answers.stopped && p_->watch.sentTooMuch) return FindEnd{true, ""};
+    if (answers.stopped && p_->watch.sentTooMuch) return std::string();
     return failure;
   }
   const unsigned status = response.DimseStatus;
-  FindEnd end{answers.stopped, ""};
-  if (status != STATUS_FIND_Success && !(answers.stopped && status == STATUS_FIND_Cancel))
-    end.refusal = searchRefusal(status);
-  return end;
+  const bool isEnd = status == STATUS_FIND_Success || (answers.stopped && status == STATUS_FIND_Cancel);
+  return isEnd ? std::string() : p_->says(searchRefusal(status)).message;
 }
 
 }  // namespace volumen

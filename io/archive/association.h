@@ -22,28 +22,16 @@ struct WantedService {
 /// Returns a service without or with small data, in the plain transfer syntaxes.
 WantedService plainService(const std::string& sopClass);
 
-/// What a search ended with.
-struct FindEnd {
-  bool stopped = false;  ///< `onAnswer` wanted no more
-  std::string refusal;   ///< why the archive ended it early, the end of a sentence; empty: it is complete
-};
-
-/// What a retrieval ended with.
-struct GetEnd {
-  int failed = 0;       ///< number of instances that the archive could not send, as far as it tells
-  std::string refusal;  ///< why it sent nothing or not all, the end of a sentence; empty: it sent all
-};
-
-/// Where the instances of a retrieval go.
+/// Where the instances of a retrieval go, one after the other.
 class InstanceSink {
  public:
   virtual ~InstanceSink() = default;
-  /// Returns the path of a file to be written for an instance.
+  /// Returns the path of an empty file, into which the next instance is to be written.
   virtual Result<std::string> begin(const std::string& sopInstanceUid) = 0;
-  /// The file is complete.
-  virtual Status end(const std::string& sopInstanceUid, const std::string& path) = 0;
-  /// The file is not complete, and is of no use.
-  virtual void drop(const std::string& path) = 0;
+  /// Keeps that file: it is complete.
+  virtual Status end() = 0;
+  /// Deletes that file: it is not complete.
+  virtual void drop() = 0;
 };
 
 /// An association with an archive by DIMSE (PS3.7, PS3.8). Waits 5 s for the connection, 10 s for the
@@ -58,19 +46,18 @@ class Association {
   /// Releases the association, or aborts it after an error.
   ~Association();
 
-  /// Returns whether the archive offers a service.
-  bool offers(const std::string& sopClass) const;
-
   /// Verifies that the archive answers (C-ECHO).
   Status echo();
 
-  /// Asks for all data sets that match `keys` (C-FIND). `onAnswer` returns whether it wants more.
-  Result<FindEnd> find(const std::string& model, DcmDataset& keys,
-                       const std::function<bool(DcmDataset&)>& onAnswer);
+  /// Asks for all data sets that match `keys` (C-FIND). `onAnswer` returns whether it wants more. Returns a
+  /// sentence on why the archive ended the search early; empty if the answers are complete or not wanted.
+  Result<std::string> find(const std::string& model, DcmDataset& keys,
+                           const std::function<bool(DcmDataset&)>& onAnswer);
 
   /// Retrieves all instances that match `keys` over this association (C-GET), each into a file with the bytes
-  /// that the archive sends. The Error: the sink's, or the connection's.
-  Result<GetEnd> get(const std::string& model, DcmDataset& keys, InstanceSink& sink);
+  /// that the archive sends. Returns a sentence on why the archive sent nothing or not all; empty if it sent
+  /// all. The Error: the sink's, or the connection's.
+  Result<std::string> get(const std::string& model, DcmDataset& keys, InstanceSink& sink);
 
  private:
   struct Private;

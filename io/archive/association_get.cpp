@@ -12,7 +12,7 @@ namespace volumen {
 
 namespace {
 
-// PS3.4 C.4.3.1.4. Returns the end of a sentence; empty if all was sent.
+// Returns what a status of C-GET means (PS3.4 C.4.3.1.4), as the end of a sentence; empty if all was sent.
 std::string retrievalRefusal(unsigned status) {
   switch (status) {
     case 0x0000:
@@ -40,8 +40,8 @@ class Retrieval {
             InstanceSink& sink)
       : association_(association), context_(context), message_(message), sink_(sink) {}
 
-  // Takes messages until the archive ends the retrieval.
-  OFCondition take(GetEnd& end) {
+  // Takes messages until the archive ends the retrieval. Sets `refusal` as retrievalRefusal() does.
+  OFCondition take(std::string& refusal) {
     for (;;) {
       T_ASC_PresentationContextID context = 0;
       T_DIMSE_Message message{};
@@ -55,9 +55,7 @@ class Retrieval {
         const T_DIMSE_C_GetRSP& response = message.msg.CGetRSP;
         done = skipDataSet(response.DataSetType);
         if (done.good() && response.DimseStatus != pending) {
-          if (response.opts & O_GET_NUMBEROFFAILEDSUBOPERATIONS)
-            end.failed = response.NumberOfFailedSubOperations;
-          end.refusal = retrievalRefusal(response.DimseStatus);
+          refusal = retrievalRefusal(response.DimseStatus);
           return done;
         }
       } else {
@@ -80,11 +78,11 @@ class Retrieval {
   }
 
   OFCondition store(T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request) {
-    const std::string uid = request.AffectedSOPInstanceUID;
     OFCondition done = EC_Normal;
-    const Result<std::string> path = problem_ ? sink_.begin(uid) : problem_.error();
+    const Result<std::string> path =
+        problem_ ? sink_.begin(request.AffectedSOPInstanceUID) : problem_.error();
     if (path)
-      done = receive(context, request, uid, *path);
+      done = receive(context, request, *path);
     else
       refuse(path.error()), done = skipDataSet(request.DataSetType);
     if (done.bad()) return done;
@@ -106,12 +104,12 @@ class Retrieval {
   }
 
   OFCondition receive(T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request,
-                      const std::string& uid, const std::string& path) {
+                      const std::string& path) {
     DcmOutputFileStream* stream = nullptr;
     OFCondition done =
         DIMSE_createFilestream(OFFilename(path.c_str()), &request, association_, context, 1, &stream);
     if (done.bad()) {
-      sink_.drop(path);
+      sink_.drop();
       refuse({path + " cannot be written."});
       return skipDataSet(request.DataSetType);
     }
@@ -121,10 +119,10 @@ class Retrieval {
     if (done.good()) stream->flush();
     const bool isWritten = stream->status().good();
     delete stream;
-    if (done.bad() || !isWritten) sink_.drop(path);
+    if (done.bad() || !isWritten) sink_.drop();
     if (!isWritten) refuse({path + " cannot be written: is the disk full?"});
     if (done.good() && isWritten)
-      if (const Status s = sink_.end(uid, path); !s) refuse(s.error());
+      if (const Status s = sink_.end(); !s) refuse(s.error());
     return done;
   }
 
@@ -142,7 +140,7 @@ class Retrieval {
 
 }  // namespace
 
-Result<GetEnd> Association::get(const std::string& model, DcmDataset& keys, InstanceSink& sink) {
+Result<std::string> Association::get(const std::string& model, DcmDataset& keys, InstanceSink& sink) {
   const T_ASC_PresentationContextID context = p_->contextOf(model);
   if (context == 0) return p_->says("offers no retrieval over one association (C-GET)");
   T_DIMSE_Message message{};
@@ -154,16 +152,16 @@ Result<GetEnd> Association::get(const std::string& model, DcmDataset& keys, Inst
   request.Priority = DIMSE_PRIORITY_MEDIUM;
   OFCondition done =
       DIMSE_sendMessageUsingMemoryData(p_->association, context, &message, nullptr, &keys, nullptr, nullptr);
-  GetEnd end;
+  std::string refusal;
   p_->watch.allow(std::numeric_limits<std::uint64_t>::max(), std::chrono::hours(24));
   Retrieval retrieval(p_->association, context, request.MessageID, sink);
-  if (done.good()) done = retrieval.take(end);
+  if (done.good()) done = retrieval.take(refusal);
   if (done.bad()) {
     const Error failure = p_->failure(done);
     return retrieval.problem() ? failure : retrieval.problem().error();
   }
   if (!retrieval.problem()) return retrieval.problem().error();
-  return end;
+  return refusal.empty() ? refusal : p_->says(refusal).message;
 }
 
 }  // namespace volumen

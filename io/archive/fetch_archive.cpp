@@ -1,8 +1,6 @@
 #include "io/archive/fetch_archive.h"
 
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcdatset.h>
-#include <dcmtk/dcmdata/dcdeftag.h>
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include <QByteArray>
@@ -12,8 +10,8 @@
 #include <set>
 
 #include "io/archive/association.h"
+#include "io/archive/data_sets.h"
 #include "io/archive/instance_folder.h"
-#include "io/archive/search_archive.h"
 #include "io/files/private_folder.h"
 
 namespace volumen {
@@ -47,7 +45,8 @@ const std::vector<std::string> storedSyntaxes{UID_JPEGLSLosslessTransferSyntax,
 constexpr std::size_t mostClasses = 7;
 
 struct ListedInstance {
-  std::string uid, sopClass;  // the latter may be empty
+  std::string uid;
+  std::string sopClass;  // empty if the archive does not tell
 };
 
 struct ListedSeries {
@@ -57,55 +56,67 @@ struct ListedSeries {
 
 using SeriesByUid = std::map<std::string, ListedSeries>;
 
-std::string textOf(DcmDataset& data, const DcmTagKey& tag) {
-  OFString value;
-  data.findAndGetOFString(tag, value);
-  return std::string(value.c_str(), value.length());
+// Returns a refusal as an Error, too.
+Status ended(const Result<std::string>& refusal) {
+  if (!refusal) return refusal.error();
+  return refusal->empty() ? Status() : Error{*refusal};
 }
 
-DcmDataset keysAt(const char* level, const std::string& studyUid) {
-  DcmDataset keys;
-  keys.putAndInsertString(DCM_QueryRetrieveLevel, level);
-  keys.putAndInsertOFStringArray(DCM_StudyInstanceUID, studyUid.c_str());
-  return keys;
-}
+// Returns the series of a study with their instances, as the archive lists them.
+class Listing {
+ public:
+  Listing(Association& association, const Archive& archive, const FetchRequest& request)
+      : association_(association), archive_(archive), request_(request) {}
 
-// Returns the instances of a study by series, as the archive lists them.
-Result<SeriesByUid> listInstances(const Archive& archive, const FetchRequest& request,
-                                  const CancelToken& cancel) {
-  auto association = Association::open(archive, {plainService(findModel)}, cancel);
-  if (!association) return association.error();
-  DcmDataset keys = keysAt("SERIES", request.studyUid);
-  keys.putAndInsertOFStringArray(DCM_SeriesInstanceUID, request.seriesUid.c_str());
-  keys.insertEmptyElement(DCM_Modality);
-  SeriesByUid all;
-  const auto listed = association->find(findModel, keys, [&](DcmDataset& answer) {
-    const std::string uid = textOf(answer, DCM_SeriesInstanceUID), of = textOf(answer, DCM_StudyInstanceUID);
-    const bool isWanted =
-        (of.empty() || of == request.studyUid) && (request.seriesUid.empty() || uid == request.seriesUid);
-    if (!uid.empty() && isWanted) all[uid].modality = textOf(answer, DCM_Modality);
-    return all.size() < mostInstances;
-  });
-  if (!listed) return listed.error();
-  for (auto& [uid, series] : all) {
-    DcmDataset inSeries = keysAt("IMAGE", request.studyUid);
-    inSeries.putAndInsertOFStringArray(DCM_SeriesInstanceUID, uid.c_str());
-    inSeries.insertEmptyElement(DCM_SOPInstanceUID);
-    inSeries.insertEmptyElement(DCM_SOPClassUID);
-    std::set<std::string> known;
-    const auto end = association->find(findModel, inSeries, [&](DcmDataset& answer) {
-      ListedInstance one{textOf(answer, DCM_SOPInstanceUID), textOf(answer, DCM_SOPClassUID)};
-      const std::string of = textOf(answer, DCM_SeriesInstanceUID);
-      const bool isOfSeries = of.empty() || of == uid;
-      if (!one.uid.empty() && isOfSeries && known.insert(one.uid).second)
-        series.instances.push_back(std::move(one));
-      return series.instances.size() < mostInstances;
+  Result<SeriesByUid> operator()() {
+    SeriesByUid all;
+    DcmDataset keys = keysAt("SERIES", request_.studyUid);
+    putKey(keys, DCM_SeriesInstanceUID, request_.seriesUid);
+    askFor(keys, {DCM_Modality});
+    const Status listed = list(keys, [&](const Answer& answer) {
+      const std::string uid = answer.text(DCM_SeriesInstanceUID);
+      const bool isWanted = isOf(answer, DCM_StudyInstanceUID, request_.studyUid) &&
+                            (request_.seriesUid.empty() || uid == request_.seriesUid);
+      if (!uid.empty() && isWanted) all[uid].modality = answer.text(DCM_Modality);
+      return all.size() < mostInstances;
     });
-    if (!end) return end.error();
+    if (!listed) return listed.error();
+    for (auto& [uid, series] : all)
+      if (Status s = addInstances(uid, series.instances); !s) return s.error();
+    std::erase_if(all, [](const auto& series) { return series.second.instances.empty(); });
+    return all;
   }
-  std::erase_if(all, [](const auto& series) { return series.second.instances.empty(); });
-  return all;
-}
+
+ private:
+  // An archive that ignores a key answers with others, too.
+  static bool isOf(const Answer& answer, const DcmTagKey& tag, const std::string& uid) {
+    const std::string of = answer.text(tag);
+    return of.empty() || of == uid;
+  }
+
+  Status addInstances(const std::string& seriesUid, std::vector<ListedInstance>& instances) {
+    DcmDataset keys = keysAt("IMAGE", request_.studyUid);
+    putKey(keys, DCM_SeriesInstanceUID, seriesUid);
+    askFor(keys, {DCM_SOPInstanceUID, DCM_SOPClassUID});
+    std::set<std::string> known;
+    return list(keys, [&](const Answer& answer) {
+      ListedInstance one{answer.text(DCM_SOPInstanceUID), answer.text(DCM_SOPClassUID)};
+      if (!one.uid.empty() && isOf(answer, DCM_SeriesInstanceUID, seriesUid) && known.insert(one.uid).second)
+        instances.push_back(std::move(one));
+      return instances.size() < mostInstances;
+    });
+  }
+
+  // The Error: a list that the archive ends early would count too few.
+  Status list(DcmDataset& keys, const std::function<bool(const Answer&)>& onAnswer) {
+    return ended(association_.find(
+        findModel, keys, [&](DcmDataset& data) { return onAnswer(Answer(data, archive_.characterSet)); }));
+  }
+
+  Association& association_;
+  const Archive& archive_;
+  const FetchRequest& request_;
+};
 
 // The classes that series of a modality hold, where an archive does not tell them.
 std::vector<std::string> classesOf(const std::string& modality) {
@@ -223,7 +234,7 @@ class Fetch {
     for (const std::vector<WantedService>& services : tries) {
       auto association = Association::open(archive_, services, cancel_);
       last =
-          association ? askFor(*association, seriesUid, uids, isWhole, files) : Status(association.error());
+          association ? retrieve(*association, seriesUid, uids, isWhole, files) : Status(association.error());
       if (cancel_.cancelled()) return Error{"cancelled"};
       std::erase_if(uids, [&](const std::string& uid) { return files.has(uid); });
       if (uids.empty()) return {};
@@ -234,11 +245,11 @@ class Fetch {
     return {};
   }
 
-  Status askFor(Association& association, const std::string& seriesUid, const std::vector<std::string>& uids,
-                bool isWhole, InstanceFolder& files) {
+  Status retrieve(Association& association, const std::string& seriesUid,
+                  const std::vector<std::string>& uids, bool isWhole, InstanceFolder& files) {
     if (isWhole) {
       DcmDataset keys = keysAt("SERIES", request_.studyUid);
-      keys.putAndInsertOFStringArray(DCM_SeriesInstanceUID, seriesUid.c_str());
+      putKey(keys, DCM_SeriesInstanceUID, seriesUid);
       return ended(association.get(getModel, keys, files));
     }
     constexpr std::size_t atOnce = 100;
@@ -247,17 +258,11 @@ class Fetch {
       for (std::size_t n = first; n < std::min(uids.size(), first + atOnce); ++n)
         list += (list.empty() ? "" : "\\") + uids[n];
       DcmDataset keys = keysAt("IMAGE", request_.studyUid);
-      keys.putAndInsertOFStringArray(DCM_SeriesInstanceUID, seriesUid.c_str());
-      keys.putAndInsertOFStringArray(DCM_SOPInstanceUID, list.c_str());
+      putKey(keys, DCM_SeriesInstanceUID, seriesUid);
+      putKey(keys, DCM_SOPInstanceUID, list);
       if (Status s = ended(association.get(getModel, keys, files)); !s) return s;
     }
     return {};
-  }
-
-  Status ended(const Result<GetEnd>& end) const {
-    if (!end) return end.error();
-    if (end->refusal.empty()) return {};
-    return Error{"The archive \"" + archive_.name + "\" " + end->refusal + "."};
   }
 
   void addProblem(const std::string& sentence) {
@@ -283,12 +288,17 @@ std::string nameForUid(const std::string& uid) {
 
 Result<FetchReport> fetchFromArchive(const Archive& archive, const FetchRequest& request,
                                      const Progress& progress, const CancelToken& cancel) {
-  const auto instances = listInstances(archive, request, cancel);
-  if (!instances) return instances.error();
-  if (instances->empty())
+  Result<SeriesByUid> series = Error{};
+  {
+    auto association = Association::open(archive, {plainService(findModel)}, cancel);
+    if (!association) return association.error();
+    series = Listing(*association, archive, request)();
+  }
+  if (!series) return series.error();
+  if (series->empty())
     return Error{"The archive \"" + archive.name + "\" lists no images of this " +
                  (request.seriesUid.empty() ? "study." : "series.")};
-  return Fetch(archive, request, progress, cancel)(*instances);
+  return Fetch(archive, request, progress, cancel)(*series);
 }
 
 }  // namespace volumen

@@ -2,10 +2,11 @@
 
 #include <cstdint>
 #include <functional>
-#include <map>
+#include <optional>
 #include <string>
 
 #include "io/archive/association.h"
+#include "io/files/output_file.h"
 
 namespace volumen {
 
@@ -13,21 +14,22 @@ namespace volumen {
 class InstanceFolder : public InstanceSink {
  public:
   /// `folder` must exist. `onStored` is called after each instance.
-  explicit InstanceFolder(std::string folder, std::function<void()> onStored = {});
-  ~InstanceFolder() override;
+  explicit InstanceFolder(std::string folder, std::function<void()> onStored = {})
+      : folder_(std::move(folder)), onStored_(std::move(onStored)) {}
 
-  std::string pathOf(const std::string& sopInstanceUid) const;
   bool has(const std::string& sopInstanceUid) const;
   std::uint64_t bytesWritten() const { return bytes_; }
 
   Result<std::string> begin(const std::string& sopInstanceUid) override;
-  Status end(const std::string& sopInstanceUid, const std::string& path) override;
-  void drop(const std::string& path) override;
+  Status end() override;
+  void drop() override { written_.reset(); }
 
  private:
+  std::string pathOf(const std::string& sopInstanceUid) const;
+
   const std::string folder_;
   const std::function<void()> onStored_;
-  std::map<std::string, int> open_;  ///< files being written, and their locked descriptors
+  std::optional<OutputFile> written_;
   std::uint64_t bytes_ = 0;
 };
 

@@ -1,20 +1,16 @@
 #include "io/archive/search_archive.h"
 
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcdatset.h>
-#include <dcmtk/dcmdata/dcdeftag.h>
 #include <dcmtk/dcmdata/dcuid.h>
 
 #include <QDate>
 #include <algorithm>
-#include <charconv>
-#include <map>
 #include <set>
 #include <sstream>
 
 #include "io/archive/association.h"
+#include "io/archive/data_sets.h"
 #include "io/archive/search_words.h"
-#include "io/dicom/data_set.h"
 
 namespace volumen {
 
@@ -24,70 +20,27 @@ constexpr const char* studyRoot = UID_FINDStudyRootQueryRetrieveInformationModel
 
 std::string today() { return QDate::currentDate().toString(QStringLiteral("yyyyMMdd")).toStdString(); }
 
-// An answer's texts in UTF-8.
-class Answer {
- public:
-  Answer(DcmDataset& data, const std::string& usualSet) : data_(data), set_(usualSet) {
-    if (const std::string own = bytes(DCM_SpecificCharacterSet); !own.empty()) set_ = own;
-  }
-  std::string text(const DcmTagKey& tag) const { return dicom::toUtf8(bytes(tag), set_); }
-  std::string date(const DcmTagKey& tag) const { return dicom::dateOrTime(bytes(tag)); }
-  // Returns -1 if the archive does not tell.
-  int count(const DcmTagKey& tag) const {
-    const std::string digits = bytes(tag);
-    int count = -1;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), count);
-    return error == std::errc() && end == digits.data() + digits.size() && count >= 0 ? count : -1;
-  }
-
- private:
-  std::string bytes(const DcmTagKey& tag) const {
-    OFString value;
-    if (data_.findAndGetOFStringArray(tag, value).bad()) return {};
-    std::string out(value.c_str(), value.length());
-    const auto isPadding = [](char c) { return c == ' ' || c == '\0'; };
-    while (!out.empty() && isPadding(out.back())) out.pop_back();
-    out.erase(0, out.find_first_not_of(' ') == std::string::npos ? 0 : out.find_first_not_of(' '));
-    return out;
-  }
-  DcmDataset& data_;
-  std::string set_;
-};
-
-void put(DcmDataset& data, const DcmTagKey& tag, const std::string& value) {
-  data.putAndInsertOFStringArray(tag, OFString(value.c_str(), value.size()));
-}
-
-void putEmpty(DcmDataset& data, std::initializer_list<DcmTagKey> tags) {
-  for (const DcmTagKey& tag : tags) data.insertEmptyElement(tag);
-}
-
 DcmDataset dataSetOf(const StudyKeys& keys) {
-  DcmDataset data;
-  put(data, DCM_SpecificCharacterSet, "ISO_IR 192");
-  put(data, DCM_QueryRetrieveLevel, "STUDY");
-  put(data, DCM_PatientName, keys.patientName);
-  put(data, DCM_PatientID, keys.patientId);
-  put(data, DCM_AccessionNumber, keys.accessionNumber);
-  put(data, DCM_StudyDescription, keys.description);
-  put(data, DCM_StudyDate, keys.dates);
-  put(data, DCM_ModalitiesInStudy, keys.modality);
-  putEmpty(data, {DCM_StudyInstanceUID, DCM_StudyTime, DCM_PatientBirthDate, DCM_PatientSex,
-                  DCM_InstitutionName, DCM_NumberOfStudyRelatedSeries, DCM_NumberOfStudyRelatedInstances});
+  DcmDataset data = keysAt("STUDY");
+  putKey(data, DCM_PatientName, keys.patientName);
+  putKey(data, DCM_PatientID, keys.patientId);
+  putKey(data, DCM_AccessionNumber, keys.accessionNumber);
+  putKey(data, DCM_StudyDescription, keys.description);
+  putKey(data, DCM_StudyDate, keys.dates);
+  putKey(data, DCM_ModalitiesInStudy, keys.modality);
+  askFor(data, {DCM_StudyInstanceUID, DCM_StudyTime, DCM_PatientBirthDate, DCM_PatientSex,
+                DCM_InstitutionName, DCM_NumberOfStudyRelatedSeries, DCM_NumberOfStudyRelatedInstances});
   return data;
 }
 
 DcmDataset seriesKeysOf(const std::string& studyUid) {
-  DcmDataset data;
-  put(data, DCM_SpecificCharacterSet, "ISO_IR 192");
-  put(data, DCM_QueryRetrieveLevel, "SERIES");
-  put(data, DCM_StudyInstanceUID, studyUid);
-  putEmpty(data, {DCM_SeriesInstanceUID, DCM_SeriesNumber, DCM_Modality, DCM_SeriesDescription,
-                  DCM_SeriesDate, DCM_SeriesTime, DCM_NumberOfSeriesRelatedInstances});
+  DcmDataset data = keysAt("SERIES", studyUid);
+  askFor(data, {DCM_SeriesInstanceUID, DCM_SeriesNumber, DCM_Modality, DCM_SeriesDescription, DCM_SeriesDate,
+                DCM_SeriesTime, DCM_NumberOfSeriesRelatedInstances});
   return data;
 }
 
-// "CT\PT" as "CT, PT", sorted.
+// Returns "CT\PT" as "CT, PT", sorted.
 std::string listed(std::string modalities) {
   std::ranges::replace(modalities, '\\', ' ');
   std::istringstream words(modalities);
@@ -161,26 +114,22 @@ class Search {
 
   Status ask(const StudyKeys& keys) {
     DcmDataset data = dataSetOf(keys);
-    const auto end = association_.find(studyRoot, data, [&](DcmDataset& one) {
+    const auto refusal = association_.find(studyRoot, data, [&](DcmDataset& one) {
       // An archive that ignores a key sends everything, and a faulty one never ends.
       full_ = full_ || ++answers_ > 10 * std::int64_t(query_.limit) + 1000;
       add(studyOf(Answer(one, archive_.characterSet)));
       return !full_;
     });
-    if (!end) return end.error();
-    addRefusal(end->refusal);
+    if (!refusal) return refusal.error();
+    if (!refusal->empty()) refusal_ = *refusal;
     return {};
-  }
-
-  void addRefusal(const std::string& refusal) {
-    if (!refusal.empty()) refusal_ = "The archive \"" + archive_.name + "\" " + refusal + ".";
   }
 
   // Archives repeat studies, and may ignore a key.
   void add(const IndexedStudy& study) {
     if (study.studyUid.empty() || known_.count(study.studyUid)) return;
     IndexedStudy judged = study;
-    // Modalities are optional. They are asked of the series.
+    // Archives need not tell the modalities of a study. Its series are asked for them later.
     if (judged.modalities.empty())
       for (const SearchWord& word : words_)
         if (!word.modality.empty())
@@ -201,7 +150,7 @@ class Search {
     std::string modalities;
     std::set<std::string> known;
     int answers = 0;
-    const auto end = association_.find(studyRoot, data, [&](DcmDataset& one) {
+    const auto refusal = association_.find(studyRoot, data, [&](DcmDataset& one) {
       const Answer answer(one, archive_.characterSet);
       IndexedSeries series = seriesOf(answer);
       const std::string of = answer.text(DCM_StudyInstanceUID);
@@ -212,10 +161,10 @@ class Search {
       }
       return ++answers < mostSeries;
     });
-    if (!end) return end.error();
-    addRefusal(end->refusal);
+    if (!refusal) return refusal.error();
+    if (!refusal->empty()) refusal_ = *refusal;
     if (study.study.modalities.empty()) study.study.modalities = listed(modalities);
-    if (study.study.series < 0 && end->refusal.empty()) study.study.series = int(study.series.size());
+    if (study.study.series < 0 && refusal->empty()) study.study.series = int(study.series.size());
     if (!query_.withSeries) study.series.clear();
     return {};
   }

@@ -14,7 +14,7 @@ struct DateRange {
   bool operator==(const DateRange&) const = default;
 };
 
-/// A word of a search, and all that it may mean.
+/// A word of a search, with all that it may mean.
 struct SearchWord {
   std::string text;                ///< part of a name, an ID, an accession number or a description; NFC
   std::string modality;            ///< a defined term: "CT"; may be empty
@@ -25,8 +25,8 @@ struct SearchWord {
 /// Returns the words as a user types them. `now` is a date, YYYYMMDD, for "today" and "yesterday".
 std::vector<SearchWord> searchWords(const std::string& words, const std::string& now);
 
-/// Returns whether a study has all words, each in one of its meanings. Case and accents are ignored, in any
-/// script.
+/// Returns whether a study has all words, each in one of its meanings. The comparison ignores case and
+/// accents, in any script.
 bool hasAll(const std::vector<SearchWord>& words, const IndexedStudy& study);
 
 /// The keys of one question at the level of studies (PS3.4 C.6.2.1), UTF-8, with wildcards. Empty ones match
@@ -36,10 +36,11 @@ struct StudyKeys {
   bool operator==(const StudyKeys&) const = default;
 };
 
-/// Returns the questions that together find the studies with these words, and others: those for one word, the
-/// one with the fewest answers. Some archives distinguish case, and some cannot compare what is not ASCII: a
-/// text is asked for as typed, in capitals, in small letters, capitalised, and with wildcards for what is not
-/// ASCII. A question that matches everything is the last.
+/// Returns questions that together find the studies with these words. They ask for one word only, the one
+/// that fewest studies should have, so their answers must be tested by hasAll(). Some archives distinguish
+/// case, and some cannot compare what is not ASCII. So a text is asked for as typed, in capitals, in small
+/// letters, capitalised, and with wildcards for what is not ASCII. A question that matches everything is the
+/// last.
 std::vector<StudyKeys> questionsFor(const std::vector<SearchWord>& words);
 
 }  // namespace volumen

@@ -14,7 +14,7 @@
 namespace volumen {
 
 /// What ends waiting for a peer. Reading and writing fail when `cancel` is set, when the peer has been silent
-/// for `silence`, or when it has sent more than was allowed. Must outlive the connections that look at it.
+/// for `silence`, or when it has sent more than was allowed. A watch must outlive its connections.
 struct Watch {
   using Clock = std::chrono::steady_clock;
 
@@ -39,7 +39,7 @@ struct Watch {
 /// with it every instance takes 45 ms).
 class WatchedTransport : public DcmTransportLayer {
  public:
-  /// Both must outlive the object.
+  /// `inner` and `watch` must outlive the object.
   WatchedTransport(DcmTransportLayer& inner, Watch& watch) : inner_(inner), watch_(watch) {}
   DcmTransportConnection* createConnection(DcmNativeSocketType socket, OFBool secure) override;
 

@@ -102,6 +102,8 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
   return out;
 }
 
+const std::string& OutputFile::asidePath() const { return state_->aside; }
+
 Status OutputFile::startGzip() {
   // level 4: almost the size of level 6 at twice its speed
   constexpr int level = 4, gzipWindow = 15 + 16, memory = 8;

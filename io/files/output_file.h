@@ -21,6 +21,8 @@ class OutputFile {
 
   Status write(const void* bytes, std::size_t count);
   Status write(std::string_view text) { return write(text.data(), text.size()); }
+  /// Returns the path of the temporary file, for libraries that open it by its name in place of write().
+  const std::string& asidePath() const;
   /// Compresses all following bytes as one gzip member.
   Status startGzip();
   /// Completes the file and renames it to its path.

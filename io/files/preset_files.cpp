@@ -29,19 +29,18 @@ std::string fileNameOf(const std::string& name) {
   return file + ".json";
 }
 
-// Returns the folder for the user's own files of a kind.
-std::string ownFolder(const char* kind) {
+}  // namespace
+
+std::string configFolder() {
   const char* config = std::getenv("XDG_CONFIG_HOME");
   const char* home = std::getenv("HOME");
   const fs::path base = config && *config == '/' ? fs::path(config) : fs::path(home ? home : "/") / ".config";
-  return (base / "volumen" / kind).string();
+  return (base / "volumen").string();
 }
 
-}  // namespace
+std::string presetFolder() { return configFolder() + "/presets"; }
 
-std::string presetFolder() { return ownFolder("presets"); }
-
-std::string protocolFolder() { return ownFolder("protocols"); }
+std::string protocolFolder() { return configFolder() + "/protocols"; }
 
 std::vector<PresetFile> readPresetFiles(const std::string& folder) {
   std::vector<PresetFile> files;

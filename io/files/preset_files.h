@@ -7,8 +7,9 @@
 
 namespace volumen {
 
-/// Returns the folder of the user's presets, one file each: $XDG_CONFIG_HOME/volumen/presets (else
-/// ~/.config).
+/// Returns the folder of the user's settings: $XDG_CONFIG_HOME/volumen (else ~/.config/volumen).
+std::string configFolder();
+/// Returns the folder of the user's presets in it, one file each: volumen/presets.
 std::string presetFolder();
 /// Returns the folder of the user's hanging protocols, beside it: volumen/protocols.
 std::string protocolFolder();

@@ -1,12 +1,5 @@
 // Guards `volumen archive`: searching a real archive (dcmqrscp), and the sentence on each thing that can be
 // wrong with a peer.
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcdatset.h>
-#include <dcmtk/dcmdata/dcdeftag.h>
-#include <dcmtk/dcmdata/dcfilefo.h>
-
-#include <QDir>
-#include <QDirIterator>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -19,8 +12,8 @@
 #include <memory>
 
 #include "tests/fixtures/program.h"
+#include "tests/unit/archive/archived_studies.h"
 #include "tests/unit/archive/peer_process.h"
-#include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -35,11 +28,6 @@ class TestArchiveCommand : public QObject {
   void seriesAreListed();
   void aLimitIsTold();
   void nothingFoundIsNoFailure();
-  void fetchedInstancesAreThoseOfTheArchive();
-  void whatIsHereIsNotFetchedAgain();
-  void aStudyIsFetchedIntoTheIndex();
-  void whatCannotBeFetchedIsExplained_data();
-  void whatCannotBeFetchedIsExplained();
   void peersThatFailAreExplained_data();
   void peersThatFailAreExplained();
   void aSilentPeerIsLeftAfterTenSeconds();
@@ -61,78 +49,8 @@ class TestArchiveCommand : public QObject {
 
 namespace {
 
-struct Made {
-  const char *uid, *name, *charset, *id, *date, *modality, *description;
-};
-
-// Names as bytes of their character sets.
-constexpr Made made[] = {
-    {"1.2.1", "DOE^JANE", "", "PID1", "20260314", "CT", "Thorax"},
-    {"1.2.2", "doe^john", "", "PID2", "20260315", "MR", "Brain"},
-    {"1.2.3", "Buc^J\xe9r\xf4me", "ISO_IR 100", "PID3", "20250101", "CT", "Abdomen"},
-    {"1.2.4", "\xbb\xee\xda\x63\x65\xdc\xd1\x79\x70\xd3", "ISO_IR 144", "PID4", "20240101", "MR", "Knie"},
-    {"1.2.5", "\x1b$B$d$^$@\x1b(B^\x1b$B$?$m$&\x1b(B", "\\ISO 2022 IR 87", "PID5", "20230101", "CT", "Chest"},
-    {"1.2.6", "\xd7\xa9\xd7\xa8\xd7\x95\xd7\x9f", "ISO_IR 192", "PID6", "20220101", "US", "Liver"},
-};
-
 QStringList wordsOf(const char* words) {
   return QString::fromUtf8(words).split(QLatin1Char(' '), Qt::SkipEmptyParts);
-}
-
-QStringList uidsOf(const QJsonArray& studies) {
-  QStringList uids;
-  for (const QJsonValue& study : studies) uids << study[QStringLiteral("studyUid")].toString();
-  uids.sort();
-  return uids;
-}
-
-QString writeStudy(const QString& folder, const Made& m, int series) {
-  DicomPicture picture;
-  picture.seriesUid = std::string(m.uid) + "." + std::to_string(series);
-  picture.edit = [&](DcmDataset& data) {
-    data.putAndInsertString(DCM_SpecificCharacterSet, m.charset);
-    data.putAndInsertString(DCM_PatientName, m.name);
-    data.putAndInsertString(DCM_PatientID, m.id);
-    data.putAndInsertString(DCM_StudyInstanceUID, m.uid);
-    data.putAndInsertString(DCM_StudyDate, m.date);
-    data.putAndInsertString(DCM_StudyTime, "101112");
-    data.putAndInsertString(DCM_Modality, m.modality);
-    data.putAndInsertString(DCM_StudyDescription, m.description);
-    data.putAndInsertString(DCM_SOPInstanceUID, (picture.seriesUid + ".1").c_str());
-  };
-  const QString path = folder + QStringLiteral("/%1.dcm").arg(QString::fromStdString(picture.seriesUid));
-  writeDicom(path.toStdString(), picture);
-  return path;
-}
-
-QStringList filesBelow(const QString& folder) {
-  QStringList files;
-  for (QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); all.hasNext();)
-    files << all.next();
-  return files;
-}
-
-// What a transfer must not change.
-struct Instance {
-  std::string seriesUid, uid, name;
-  std::vector<Uint16> pixels;
-  bool operator==(const Instance&) const = default;
-};
-
-Instance instanceIn(const QString& path) {
-  DcmFileFormat file;
-  if (file.loadFile(path.toStdString().c_str()).bad()) return {};
-  DcmDataset& data = *file.getDataset();
-  const auto text = [&](const DcmTagKey& tag) {
-    OFString value;
-    data.findAndGetOFStringArray(tag, value);
-    return std::string(value.c_str());
-  };
-  const Uint16* pixels = nullptr;
-  unsigned long count = 0;
-  data.findAndGetUint16Array(DCM_PixelData, pixels, &count);
-  return {text(DCM_SeriesInstanceUID), text(DCM_SOPInstanceUID), text(DCM_PatientName),
-          std::vector<Uint16>(pixels, pixels + count)};
 }
 
 // A peer that is no archive: `answer` gets each connection.
@@ -186,10 +104,7 @@ void TestArchiveCommand::initTestCase() {
   file_ = folder_.filePath(QStringLiteral("archives.json"));
   if (!QrPeer::isInstalled()) QSKIP("dcmqrscp is not installed (package dcmtk)");
   peer_ = std::make_unique<QrPeer>();
-  QStringList files;
-  for (const Made& m : made) files << writeStudy(folder_.path(), m, 1);
-  files << writeStudy(folder_.path(), made[0], 2);
-  peer_->add(files);
+  peer_->add(writeAllArchived(folder_.path()));
   QVERIFY(peer_->start());
   list("qr", peer_->port(), "ARCH");
 }
@@ -275,83 +190,6 @@ void TestArchiveCommand::nothingFoundIsNoFailure() {
   QCOMPARE(done.status, 0);
   QCOMPARE(done.err, QByteArray("No study has all of these words.\n"));
   QCOMPARE(studies({QStringLiteral("nobody")}).size(), 0);
-}
-
-void TestArchiveCommand::fetchedInstancesAreThoseOfTheArchive() {
-  for (const Made& m : made) {
-    const QString folder = folder_.filePath(QStringLiteral("of ") + QString::fromLatin1(m.uid));
-    const Outcome done =
-        runProgram(with(QStringLiteral("fetch"), {QStringLiteral("qr"), QString::fromLatin1(m.uid),
-                                                  QStringLiteral("-o"), folder, QStringLiteral("--json")}));
-    QVERIFY2(done.status == 0, done.err);
-    QVERIFY2(done.err.isEmpty(), done.err);
-    const QJsonObject told = QJsonDocument::fromJson(done.out).object();
-    const QStringList files = filesBelow(folder);
-    QCOMPARE(told[QStringLiteral("fetched")].toInt(), files.size());
-    QCOMPARE(files.size(), m.uid == made[0].uid ? 2 : 1);
-    for (const QString& file : files) {
-      const Instance fetched = instanceIn(file);
-      const QString source = QString::fromStdString(fetched.seriesUid) + QStringLiteral(".dcm");
-      QVERIFY(fetched == instanceIn(folder_.filePath(source)));
-      QCOMPARE(fetched.name, std::string(m.name));
-    }
-  }
-}
-
-void TestArchiveCommand::whatIsHereIsNotFetchedAgain() {
-  const QString folder = folder_.filePath(QStringLiteral("twice"));
-  const auto fetch = [&] {
-    return runProgram(with(QStringLiteral("fetch"),
-                           {QStringLiteral("qr"), QStringLiteral("1.2.1"), QStringLiteral("-o"), folder}))
-        .out;
-  };
-  QCOMPARE(fetch(), "Fetched 2 of 2 images: " + folder.toUtf8() + '\n');
-  QCOMPARE(fetch(), "Fetched 0 of 2 images; 2 were here already: " + folder.toUtf8() + '\n');
-  QVERIFY(QFile::remove(filesBelow(folder).first()));
-  QCOMPARE(fetch(), "Fetched 1 of 2 images; 1 were here already: " + folder.toUtf8() + '\n');
-  QCOMPARE(filesBelow(folder).size(), 2);
-  const Outcome one =
-      runProgram(with(QStringLiteral("fetch"), {QStringLiteral("qr"), QStringLiteral("1.2.1/1.2.1.2"),
-                                                QStringLiteral("-o"), folder + QStringLiteral("/one")}));
-  QVERIFY2(one.out.startsWith("Fetched 1 of 1 images: "), one.out);
-}
-
-void TestArchiveCommand::aStudyIsFetchedIntoTheIndex() {
-  const QString index = folder_.filePath(QStringLiteral("fetched index"));
-  const Outcome done =
-      runProgram(with(QStringLiteral("fetch"),
-                      {QStringLiteral("qr"), QStringLiteral("1.2.3"), QStringLiteral("--index"), index}));
-  QVERIFY2(done.status == 0, done.err);
-  const Outcome listed =
-      runProgram({QStringLiteral("list"), QStringLiteral("--index"), index, QStringLiteral("--json")});
-  QCOMPARE(uidsOf(QJsonDocument::fromJson(listed.out)[QStringLiteral("studies")].toArray()),
-           QStringList{QStringLiteral("1.2.3")});
-}
-
-void TestArchiveCommand::whatCannotBeFetchedIsExplained_data() {
-  QTest::addColumn<QString>("study");
-  QTest::addColumn<QString>("folder");
-  QTest::addColumn<QByteArray>("sentence");
-  const auto row = [](const char* name, const char* study, const char* folder, const char* sentence) {
-    QTest::newRow(name) << QString::fromLatin1(study) << QString::fromLatin1(folder) << QByteArray(sentence);
-  };
-  row("an unknown study", "9.9.9", "", "The archive \"qr\" lists no images of this study.");
-  row("an unknown series", "1.2.1/9.9.9", "", "The archive \"qr\" lists no images of this series.");
-  row("a UID that is a path", "..", "", "The archive \"qr\" lists no images of this study.");
-  row("a folder that cannot be made", "1.2.1", "/proc/none", "/proc/none");
-}
-
-void TestArchiveCommand::whatCannotBeFetchedIsExplained() {
-  QFETCH(QString, study);
-  QFETCH(QString, folder);
-  QFETCH(QByteArray, sentence);
-  const QString to = folder.isEmpty() ? folder_.filePath(QStringLiteral("nothing")) : folder;
-  const Outcome done =
-      runProgram(with(QStringLiteral("fetch"), {QStringLiteral("qr"), study, QStringLiteral("-o"), to}));
-  QCOMPARE(done.status, 1);
-  QVERIFY2(done.err.contains(sentence), done.err);
-  QVERIFY(done.out.isEmpty());
-  QVERIFY(filesBelow(to).isEmpty());
 }
 
 void TestArchiveCommand::peersThatFailAreExplained_data() {

@@ -1,0 +1,45 @@
+#include "tests/unit/archive/archived_studies.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdatset.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
+
+#include <QJsonObject>
+
+#include "tests/unit/io/dicom_writer.h"
+
+namespace volumen::tests {
+
+QString writeArchived(const QString& folder, const ArchivedStudy& m, int series) {
+  DicomPicture picture;
+  picture.seriesUid = std::string(m.uid) + "." + std::to_string(series);
+  picture.edit = [&](DcmDataset& data) {
+    data.putAndInsertString(DCM_SpecificCharacterSet, m.charset);
+    data.putAndInsertString(DCM_PatientName, m.name);
+    data.putAndInsertString(DCM_PatientID, m.id);
+    data.putAndInsertString(DCM_StudyInstanceUID, m.uid);
+    data.putAndInsertString(DCM_StudyDate, m.date);
+    data.putAndInsertString(DCM_StudyTime, "101112");
+    data.putAndInsertString(DCM_Modality, m.modality);
+    data.putAndInsertString(DCM_StudyDescription, m.description);
+    data.putAndInsertString(DCM_SOPInstanceUID, (picture.seriesUid + ".1").c_str());
+  };
+  const QString path = folder + QStringLiteral("/%1.dcm").arg(QString::fromStdString(picture.seriesUid));
+  writeDicom(path.toStdString(), picture);
+  return path;
+}
+
+QStringList writeAllArchived(const QString& folder) {
+  QStringList files;
+  for (const ArchivedStudy& study : archivedStudies) files << writeArchived(folder, study, 1);
+  return files << writeArchived(folder, archivedStudies[0], 2);
+}
+
+QStringList uidsOf(const QJsonArray& studies) {
+  QStringList uids;
+  for (const QJsonValue& study : studies) uids << study[QStringLiteral("studyUid")].toString();
+  uids.sort();
+  return uids;
+}
+
+}  // namespace volumen::tests
