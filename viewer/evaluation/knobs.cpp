@@ -50,14 +50,6 @@ Value level(Quality quality) {
           }};
 }
 
-Value levelWithErrorMap(Quality quality) {
-  const Value plain = level(quality);
-  return {plain.text, [=](Setting& s) {
-            plain.turn(s);
-            s.options.withError = true;
-          }};
-}
-
 Value method(const char* name, Method method) {
   return {name, [=](Setting& s) { s.options.method = method; }};
 }
@@ -83,7 +75,6 @@ std::vector<Knob> knobs() {
                    +[](Setting& s, double x) { s.options.step = x; })},
       {"level",
        {level(Quality::draft), level(Quality::standard), level(Quality::high), level(Quality::exact)}},
-      {"error map", {levelWithErrorMap(Quality::standard), levelWithErrorMap(Quality::high)}},
       {"method",
        {method("blend", Method::blend), method("preshaded", Method::preshaded), method("GPU", Method::gpu)}},
       {"blending",

@@ -201,8 +201,8 @@ void TestStudy::settingsTurnOneKnobEach() {
     QVERIFY2(names.insert(s.knob + s.value).second, s.value.c_str());
     QVERIFY(makePlan(Scene(), factsOf(**makePhantom("sphere:8")), s.options).ok());
   }
-  for (const char* knob : {"step", "level", "error map", "precision", "shader", "map, nearest", "tolerance",
-                           "stop at", "opacity threshold", "gradient", "curve table", "resolution"})
+  for (const char* knob : {"step", "level", "precision", "shader", "map, nearest", "tolerance", "stop at",
+                           "opacity threshold", "gradient", "curve table", "resolution"})
     QVERIFY2(knobs.count(knob), knob);
   for (const Setting& s : gridOfKnobs(base)) QVERIFY2(names.insert(s.knob + s.value).second, s.value.c_str());
 }
