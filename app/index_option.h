@@ -17,8 +17,10 @@ Result<Index> openIndex(const std::string& folder);
 /// Opens an existing index without changes (Index::openAsItIs()).
 Result<Index> openExistingIndex(const std::string& folder);
 
-/// Return the folders for copies of `import --copy`, and for what archives send.
+/// Returns this folder, or the user's own if it is empty.
+std::string indexFolderOr(const std::string& folder);
+
+/// Returns the folder for copies of `import --copy`.
 std::string copiesFolder(const std::string& indexFolder);
-std::string fetchedFolder(const std::string& indexFolder);
 
 }  // namespace volumen

@@ -19,6 +19,7 @@
 #include "app/startable_threads.h"
 #include "app/usage.h"
 #include "io/frame_limit.h"
+#include "io/index/index_path.h"
 #include "io/worker/worker.h"
 #include "viewer/volume/available_memory.h"
 
@@ -119,7 +120,7 @@ std::vector<std::string> argumentsOf(int argc, char** argv) {
 
 bool isPath(const std::string& word) {
   std::error_code ignored;
-  return word.empty() || word.starts_with("phantom:") || word.starts_with("index:") ||
+  return word.empty() || volumen::isStudyName(word) ||
          word.find_first_of("/.") != std::string::npos || std::filesystem::exists(word, ignored);
 }
 

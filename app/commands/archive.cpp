@@ -2,6 +2,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "app/command.h"
 #include "app/progress.h"
@@ -10,6 +11,8 @@
 #include "app/index_option.h"
 #include "io/archive/fetch_archive.h"
 #include "io/archive/search_archive.h"
+#include "io/archive/send_archive.h"
+#include "io/index/index_path.h"
 
 namespace volumen {
 
@@ -39,10 +42,6 @@ Result<Archive> chosen(const ArchiveOptions& options) {
   return all ? archiveNamed(*all, options.name, options.path()) : all.error();
 }
 
-std::string addressOf(const Archive& archive) {
-  return archive.host + ":" + std::to_string(archive.port) + (archive.tls ? ", TLS" : "");
-}
-
 int list(const ArchiveOptions& options) {
   const auto all = archivesOf(options);
   if (!all) return fail(all.message());
@@ -53,7 +52,10 @@ int list(const ArchiveOptions& options) {
   } else {
     TextTable table({"Name", "Address", "Its AE title", "Ours"});
     for (const Archive& a : all->archives)
-      table.add({printable(a.name), printable(addressOf(a)), a.calledAe, a.callingAe});
+      a.kind == ArchiveKind::dimse
+          ? table.add({printable(a.name), printable(addressOf(a)) + (a.tls ? ", TLS" : ""), a.calledAe,
+                       a.callingAe})
+          : table.add({printable(a.name), printable(addressOf(a)), "", ""});
     std::cout << table.text();
   }
   return exitDone;
@@ -146,8 +148,7 @@ int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
   const std::size_t slash = options.study.find('/');
   FetchRequest request{options.study.substr(0, slash), "", options.folder};
   if (slash != std::string::npos) request.seriesUid = options.study.substr(slash + 1);
-  if (request.folder.empty())
-    request.folder = fetchedFolder(options.index) + "/" + nameForUid(request.studyUid);
+  if (request.folder.empty()) request.folder = fetchedFolder(indexFolderOr(options.index), request.studyUid);
   const auto report = fetchFromArchive(*archive, request, terminalProgress(), cancel);
   endTerminalProgress();
   if (!report) return fail(report.message(), cancel);
@@ -156,6 +157,48 @@ int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
   print(*report, request.folder, options.json);
   for (const std::string& problem : report->problems) std::cerr << "volumen: " << printable(problem) << '\n';
   return report->missing.empty() ? exitDone : exitLosses;
+}
+
+nlohmann::ordered_json listJson(const std::vector<Refused>& files) {
+  Json list = Json::array();
+  for (const Refused& one : files) list.push_back({{"path", pathForJson(one.path)}, {"reason", one.reason}});
+  return list;
+}
+
+void print(const SendReport& report, const ArchiveOptions& options) {
+  if (options.json) {
+    std::cout << jsonText({{"instances", report.instances},
+                           {"sent", report.sent},
+                           {"failed", listJson(report.failed)},
+                           {"notDicom", listJson(report.notDicom)}});
+  } else {
+    std::cout << "Sent " << report.sent << " of " << report.instances << " instances to " << options.name;
+    if (!report.notDicom.empty()) std::cout << "; " << report.notDicom.size() << " files hold none";
+    std::cout << '\n';
+  }
+  std::set<std::string> reasons;
+  for (const Refused& one : report.failed)
+    if (reasons.insert(one.reason).second)
+      std::cerr << "volumen: " << printable(one.path + ": " + one.reason) << '\n';
+}
+
+int send(const ArchiveOptions& options, const CancelToken& cancel) {
+  const auto archive = chosen(options);
+  if (!archive) return fail(archive.message());
+  std::vector<std::string> files;
+  for (const std::string& path : options.words) {
+    const auto found = filesOfPath(path, terminalProgress(), cancel);
+    if (!found) return fail(found.message(), cancel);
+    files.insert(files.end(), found->begin(), found->end());
+  }
+  const auto report = sendToArchive(*archive, files, terminalProgress(), cancel);
+  endTerminalProgress();
+  if (!report) return fail(report.message(), cancel);
+  if (report->instances == 0)
+    return fail("There is nothing to send: " +
+                (report->notDicom.empty() ? "no files were found." : report->notDicom.front().reason + "."));
+  print(*report, options);
+  return report->failed.empty() ? exitDone : report->sent > 0 ? exitLosses : exitFailed;
 }
 
 // A nested command; `run` is what archive runs if it is chosen.
@@ -222,6 +265,15 @@ std::function<int()> makeArchive(CLI::App& app, const CancelToken& cancel) {
   fetched->add_flag("--json", o->json, "Write one JSON object to stdout");
   addExamples(*fetched,
               {"volumen archive fetch main 1.2.3", "volumen archive fetch main 1.2.3/1.2.3.1 -o fetched/"});
+
+  CLI::App* sent = addNested(
+      app, "send", "Send files to an archive", *o, [o, &cancel] { return send(*o, cancel); }, run);
+  addName(*sent, *o);
+  sent->add_option("PATH", o->words, "Files, folders, index:STUDY[/SERIES] or archive:NAME/STUDY[/SERIES]")
+      ->type_name("")
+      ->required();
+  sent->add_flag("--json", o->json, "Write one JSON object to stdout");
+  addExamples(*sent, {"volumen archive send main scans/", "volumen archive send main index:12"});
   addExamples(app, {"volumen archive test main", "volumen archive query main smith ct"});
   return [run] { return (*run)(); };
 }

@@ -41,7 +41,7 @@ int run(const BenchOptions& options, const CancelToken& cancel) {
   if (!options.folder.empty())
     return failUsage("-o FOLDER goes with --paper alone; other results are written to stdout.");
   if (options.path.empty())
-    return failUsage("Missing PATH: a file, a folder, index:STUDY[/SERIES] or phantom:NAME[:SIZE].");
+    return failUsage("Missing PATH: a file, a folder, index:STUDY[/SERIES], archive:NAME/STUDY[/SERIES] or phantom:NAME[:SIZE].");
   const auto asked = renderOptions(options.scene, options.method);
   if (!asked) return failUsage(asked.message());
   const auto file = readScene(options.scene);

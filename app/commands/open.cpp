@@ -14,6 +14,7 @@
 #include "app/command.h"
 #include "app/usage.h"
 #include "io/files/private_folder.h"
+#include "io/index/index_path.h"
 #include "results/pictures/scene_files.h"
 #include "ui/british.h"
 #include "ui/main_window.h"
@@ -94,7 +95,7 @@ std::vector<std::string> existing(const std::vector<std::string>& paths) {
   std::vector<std::string> there;
   for (const std::string& path : paths) {
     std::error_code ignored;
-    if (path.starts_with("phantom:") || std::filesystem::exists(path, ignored))
+    if (isStudyName(path) || std::filesystem::exists(path, ignored))
       there.push_back(path);
     else
       fail("Cannot open " + path + ": no such file or folder.");
@@ -148,7 +149,7 @@ int run(const OpenOptions& options, const CancelToken& cancel) {
 std::function<int()> makeOpen(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<OpenOptions>();
   auto* paths =
-      app.add_option("PATH", options->paths, "Files, folders or phantom:NAME[:SIZE]")->type_name("");
+      app.add_option("PATH", options->paths, "Files, folders, index:STUDY[/SERIES], archive:NAME/STUDY[/SERIES] or phantom:NAME[:SIZE]")->type_name("");
   app.add_option("--scene", options->sceneFile,
                  "Show the first of them by this scene: a scene file, or a picture that volumen wrote")
       ->type_name("FILE")

@@ -1,5 +1,6 @@
 #include "io/archive/archives.h"
 
+#include <QUrl>
 #include <algorithm>
 #include <filesystem>
 
@@ -12,7 +13,7 @@ namespace volumen {
 namespace {
 
 constexpr std::uint64_t mostBytesOfList = 1 << 20;
-const Words<ArchiveKind> kinds{{"dimse", ArchiveKind::dimse}};
+const Words<ArchiveKind> kinds{{"dimse", ArchiveKind::dimse}, {"dicomweb", ArchiveKind::dicomweb}};
 
 void aeTitle(Fields& f, const char* name, std::string& title) {
   f(name, title);
@@ -31,6 +32,12 @@ bool isHost(const std::string& host) {
          std::ranges::all_of(host, [](char c) { return c > ' ' && c <= '~' && c != ':' && c != '/'; });
 }
 
+bool isUrl(const std::string& text) {
+  const QUrl url(QString::fromStdString(text), QUrl::StrictMode);
+  return url.isValid() && (url.scheme() == u"http" || url.scheme() == u"https") && !url.host().isEmpty() &&
+         url.userInfo().isEmpty() && !url.hasQuery() && !url.hasFragment();
+}
+
 }  // namespace
 
 static void fields(Fields& f, TlsSettings& tls) {
@@ -42,15 +49,10 @@ static void fields(Fields& f, TlsSettings& tls) {
             tls.pin.empty() || (tls.pin.size() == 64 &&
                                 tls.pin.find_first_not_of("0123456789abcdefABCDEF") == std::string::npos),
             "must have 64 hexadecimal digits, the SHA-256 of the archive's certificate");
-  f.require("pin", !tls.pin.empty() || !tls.ca.empty(),
-            "or \"ca\" must say which certificate the archive has");
   f.require("key", tls.key.empty() == tls.certificate.empty(), "and \"certificate\" belong together");
 }
 
-static void fields(Fields& f, Archive& archive) {
-  f.needed("name", archive.name);
-  f.require("name", isName(archive.name), "must be 1 to 64 characters without \":\" and \"/\"");
-  f.needed("kind", archive.kind, kinds);
+static void dimseFields(Fields& f, Archive& archive) {
   f.needed("host", archive.host);
   f.require("host", isHost(archive.host),
             "must be a name or an address of up to 56 characters, without a port");
@@ -59,7 +61,32 @@ static void fields(Fields& f, Archive& archive) {
   aeTitle(f, "calledAe", archive.calledAe);
   aeTitle(f, "callingAe", archive.callingAe);
   f.unless({}, "characterSet", archive.characterSet);
+  f.require("tls", !archive.tls || !archive.tls->pin.empty() || !archive.tls->ca.empty(),
+            "must say by \"pin\" or \"ca\" which certificate the archive has");
+}
+
+static void webFields(Fields& f, Archive& archive) {
+  f.needed("url", archive.url);
+  f.require("url", isUrl(archive.url),
+            "must begin with http:// or https:// and hold neither user, \"?\" nor \"#\"");
+  while (archive.url.ends_with('/')) archive.url.pop_back();
+  f.unless({}, "user", archive.user);
+  f.unless({}, "passwordCommand", archive.passwordCommand);
+  f.unless({}, "tokenCommand", archive.tokenCommand);
+  f.require("user", archive.user.empty() == archive.passwordCommand.empty(),
+            "and \"passwordCommand\" belong together");
+  f.require("user", archive.user.find(':') == std::string::npos, "must not hold \":\"");
+  f.require("tokenCommand", archive.tokenCommand.empty() || archive.user.empty(),
+            "and \"user\" exclude each other");
+  f.require("tls", !archive.tls || archive.url.starts_with("https:"), "needs a URL with https://");
+}
+
+static void fields(Fields& f, Archive& archive) {
+  f.needed("name", archive.name);
+  f.require("name", isName(archive.name), "must be 1 to 64 characters without \":\" and \"/\"");
+  f.needed("kind", archive.kind, kinds);
   f.unlessNone("tls", archive.tls);
+  archive.kind == ArchiveKind::dimse ? dimseFields(f, archive) : webFields(f, archive);
 }
 
 static void fields(Fields& f, Archives& all) {
@@ -70,6 +97,11 @@ static void fields(Fields& f, Archives& all) {
       f.refuse(f.pathOf("archives", n) + ".name",
                "is used twice: " + JsonFields::quoted(all.archives[n].name));
   }
+}
+
+std::string addressOf(const Archive& archive) {
+  return archive.kind == ArchiveKind::dicomweb ? archive.url
+                                               : archive.host + ":" + std::to_string(archive.port);
 }
 
 std::string problemOfAeTitle(const std::string& title) {

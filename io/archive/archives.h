@@ -9,9 +9,9 @@
 namespace volumen {
 
 /// The protocol of an archive.
-enum class ArchiveKind { dimse };
+enum class ArchiveKind { dimse, dicomweb };
 
-/// Files and pin for TLS. Empty texts are not given.
+/// Files and pin for TLS. Empty texts are not given. Without pin and `ca`, the machine's authorities count.
 struct TlsSettings {
   std::string pin;               ///< SHA-256 of the archive's certificate, 64 hexadecimal digits
   std::string ca;                ///< file of accepted authorities or certificates, PEM
@@ -23,11 +23,16 @@ struct TlsSettings {
 struct Archive {
   std::string name;
   ArchiveKind kind = ArchiveKind::dimse;
+  std::optional<TlsSettings> tls;
+  // DIMSE
   std::string host;
   int port = 104;
   std::string calledAe, callingAe = "VOLUMEN";  ///< AE titles of the archive and of this program
   std::string characterSet;  ///< of answers that name none: a defined term of PS3.3 C.12.1.1.2
-  std::optional<TlsSettings> tls;
+  // DICOMweb
+  std::string url;  ///< of its services, without a slash at the end: "https://HOST/dicom-web"
+  std::string user, passwordCommand;  ///< basic authentication; the command prints the password
+  std::string tokenCommand;           ///< prints a bearer token
   bool operator==(const Archive&) const = default;
 };
 
@@ -35,6 +40,9 @@ struct Archives {
   std::vector<Archive> archives;
   bool operator==(const Archives&) const = default;
 };
+
+/// Returns where an archive is: "host:port" or its URL.
+std::string addressOf(const Archive& archive);
 
 /// Returns why a text is no AE title of ours, as the end of a sentence; empty if it is one: 1 to 16 printable
 /// characters of ASCII without backslash, not blanks only (PS3.5 6.2).

@@ -14,6 +14,7 @@
 #include <csignal>
 #include <cstdio>
 #include <cstring>
+#include <mutex>
 
 #include "io/archive/association_private.h"
 
@@ -112,8 +113,25 @@ WantedService plainService(const std::string& sopClass) {
   return {sopClass, {UID_LittleEndianExplicitTransferSyntax, UID_LittleEndianImplicitTransferSyntax}};
 }
 
-Association::Private::Private(Archive to, const CancelToken& cancel)
-    : archive(std::move(to)), brokenPipe(std::signal(SIGPIPE, SIG_IGN)) {
+namespace {
+
+std::mutex pipeMutex;
+int pipeUsers = 0;
+void (*pipeBefore)(int) = SIG_DFL;
+
+}  // namespace
+
+NoBrokenPipe::NoBrokenPipe() {
+  const std::lock_guard lock(pipeMutex);
+  if (pipeUsers++ == 0) pipeBefore = std::signal(SIGPIPE, SIG_IGN);
+}
+
+NoBrokenPipe::~NoBrokenPipe() {
+  const std::lock_guard lock(pipeMutex);
+  if (--pipeUsers == 0) std::signal(SIGPIPE, pipeBefore);
+}
+
+Association::Private::Private(Archive to, const CancelToken& cancel) : archive(std::move(to)) {
   watch.cancel = cancel;
   watch.silence = std::chrono::seconds(associationSeconds);
   if (archive.tls) watch.pin = archive.tls->pin;
@@ -129,7 +147,6 @@ Association::Private::~Private() {
     ASC_destroyAssociation(&association);
   }
   ASC_dropNetwork(&network);
-  std::signal(SIGPIPE, brokenPipe);
 }
 
 Status Association::Private::prepare() {

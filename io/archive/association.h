@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "io/archive/archives.h"
+#include "io/archive/instance_sink.h"
+#include "io/archive/instance_uids.h"
 #include "viewer/volume/cancel.h"
 
 class DcmDataset;
@@ -21,18 +23,6 @@ struct WantedService {
 
 /// Returns a service without or with small data, in the plain transfer syntaxes.
 WantedService plainService(const std::string& sopClass);
-
-/// Where the instances of a retrieval go, one after the other.
-class InstanceSink {
- public:
-  virtual ~InstanceSink() = default;
-  /// Returns the path of an empty file, into which the next instance is to be written.
-  virtual Result<std::string> begin(const std::string& sopInstanceUid) = 0;
-  /// Keeps that file: it is complete.
-  virtual Status end() = 0;
-  /// Deletes that file: it is not complete.
-  virtual void drop() = 0;
-};
 
 /// An association with an archive by DIMSE (PS3.7, PS3.8). Waits 5 s for the connection, 10 s for the
 /// association, 30 s for each answer. Errors are sentences that name the archive and what to do. Used by one
@@ -53,6 +43,10 @@ class Association {
   /// sentence on why the archive ended the search early; empty if the answers are complete or not wanted.
   Result<std::string> find(const std::string& model, DcmDataset& keys,
                            const std::function<bool(DcmDataset&)>& onAnswer);
+
+  /// Sends a file (C-STORE), decompressed if the archive takes no other. Returns a sentence on why the
+  /// archive does not keep it; empty if it does.
+  Result<std::string> store(const InstanceUids& uids, const std::string& path);
 
   /// Retrieves all instances that match `keys` over this association (C-GET), each into a file with the bytes
   /// that the archive sends. Returns a sentence on why the archive sent nothing or not all; empty if it sent

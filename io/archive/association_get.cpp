@@ -79,8 +79,7 @@ class Retrieval {
 
   OFCondition store(T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request) {
     OFCondition done = EC_Normal;
-    const Result<std::string> path =
-        problem_ ? sink_.begin(request.AffectedSOPInstanceUID) : problem_.error();
+    const Result<std::string> path = problem_ ? sink_.begin() : problem_.error();
     if (path)
       done = receive(context, request, *path);
     else
@@ -122,7 +121,7 @@ class Retrieval {
     if (done.bad() || !isWritten) sink_.drop();
     if (!isWritten) refuse({path + " cannot be written: is the disk full?"});
     if (done.good() && isWritten)
-      if (const Status s = sink_.end(); !s) refuse(s.error());
+      if (const Status s = sink_.end(request.AffectedSOPInstanceUID); !s) refuse(s.error());
     return done;
   }
 

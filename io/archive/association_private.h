@@ -10,6 +10,15 @@
 
 namespace volumen {
 
+/// As long as one exists, a connection that the peer has closed does not end the program (SIGPIPE).
+class NoBrokenPipe {
+ public:
+  NoBrokenPipe();
+  ~NoBrokenPipe();
+  NoBrokenPipe(const NoBrokenPipe&) = delete;
+  NoBrokenPipe& operator=(const NoBrokenPipe&) = delete;
+};
+
 /// What the files of Association share.
 struct Association::Private {
   Private(Archive to, const CancelToken& cancel);
@@ -30,7 +39,7 @@ struct Association::Private {
   T_ASC_Network* network = nullptr;
   T_ASC_Association* association = nullptr;
   bool associated = false, broken = false;
-  void (*const brokenPipe)(int);  ///< what SIGPIPE did before DCMTK ignored it
+  const NoBrokenPipe noBrokenPipe;
 };
 
 /// Returns a status as PS3.7 writes it: "A701".

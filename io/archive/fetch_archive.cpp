@@ -1,53 +1,24 @@
 #include "io/archive/fetch_archive.h"
 
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcuid.h>
 
 #include <QByteArray>
 #include <QCryptographicHash>
 #include <algorithm>
+#include <filesystem>
 #include <map>
 #include <set>
 
-#include "io/archive/association.h"
 #include "io/archive/data_sets.h"
 #include "io/archive/instance_folder.h"
+#include "io/archive/protocol.h"
 #include "io/files/private_folder.h"
 
 namespace volumen {
 
 namespace {
 
-constexpr const char* findModel = UID_FINDStudyRootQueryRetrieveInformationModel;
-constexpr const char* getModel = UID_GETStudyRootQueryRetrieveInformationModel;
 constexpr std::size_t mostInstances = 200000;
-
-// Transfer syntaxes in which instances are stored. In a list of several, archives choose an uncompressed one
-// and convert what they hold; so each is offered alone.
-const std::vector<std::string> storedSyntaxes{UID_JPEGLSLosslessTransferSyntax,
-                                              UID_JPEGLSLossyTransferSyntax,
-                                              UID_JPEG2000LosslessOnlyTransferSyntax,
-                                              UID_JPEG2000TransferSyntax,
-                                              UID_JPEGProcess14SV1TransferSyntax,
-                                              UID_JPEGProcess14TransferSyntax,
-                                              UID_JPEGProcess1TransferSyntax,
-                                              UID_JPEGProcess2_4TransferSyntax,
-                                              UID_RLELosslessTransferSyntax,
-                                              UID_DeflatedExplicitVRLittleEndianTransferSyntax,
-                                              UID_MPEG2MainProfileAtMainLevelTransferSyntax,
-                                              UID_MPEG2MainProfileAtHighLevelTransferSyntax,
-                                              UID_MPEG4HighProfileLevel4_1TransferSyntax,
-                                              UID_LittleEndianExplicitTransferSyntax,
-                                              UID_BigEndianExplicitTransferSyntax,
-                                              UID_LittleEndianImplicitTransferSyntax};
-
-// One context for the model and one for each class and syntax; there are 128.
-constexpr std::size_t mostClasses = 7;
-
-struct ListedInstance {
-  std::string uid;
-  std::string sopClass;  // empty if the archive does not tell
-};
 
 struct ListedSeries {
   std::string modality;
@@ -56,17 +27,11 @@ struct ListedSeries {
 
 using SeriesByUid = std::map<std::string, ListedSeries>;
 
-// Returns a refusal as an Error, too.
-Status ended(const Result<std::string>& refusal) {
-  if (!refusal) return refusal.error();
-  return refusal->empty() ? Status() : Error{*refusal};
-}
-
 // Returns the series of a study with their instances, as the archive lists them.
 class Listing {
  public:
-  Listing(Association& association, const Archive& archive, const FetchRequest& request)
-      : association_(association), archive_(archive), request_(request) {}
+  Listing(ArchiveProtocol& protocol, const Archive& archive, const FetchRequest& request)
+      : protocol_(protocol), archive_(archive), request_(request) {}
 
   Result<SeriesByUid> operator()() {
     SeriesByUid all;
@@ -109,75 +74,21 @@ class Listing {
 
   // The Error: a list that the archive ends early would count too few.
   Status list(DcmDataset& keys, const std::function<bool(const Answer&)>& onAnswer) {
-    return ended(association_.find(
-        findModel, keys, [&](DcmDataset& data) { return onAnswer(Answer(data, archive_.characterSet)); }));
+    return ended(protocol_.find(
+        keys, [&](DcmDataset& data) { return onAnswer(Answer(data, archive_.characterSet)); }));
   }
 
-  Association& association_;
+  ArchiveProtocol& protocol_;
   const Archive& archive_;
   const FetchRequest& request_;
 };
 
-// The classes that series of a modality hold, where an archive does not tell them.
-std::vector<std::string> classesOf(const std::string& modality) {
-  static const std::map<std::string, std::vector<std::string>> usual{
-      {"CT", {UID_CTImageStorage, UID_EnhancedCTImageStorage}},
-      {"MR", {UID_MRImageStorage, UID_EnhancedMRImageStorage}},
-      {"PT", {UID_PositronEmissionTomographyImageStorage, UID_EnhancedPETImageStorage}},
-      {"NM", {UID_NuclearMedicineImageStorage}},
-      {"CR", {UID_ComputedRadiographyImageStorage}},
-      {"DX",
-       {UID_DigitalXRayImageStorageForPresentation, UID_DigitalXRayImageStorageForProcessing,
-        UID_ComputedRadiographyImageStorage}},
-      {"MG",
-       {UID_DigitalMammographyXRayImageStorageForPresentation,
-        UID_DigitalMammographyXRayImageStorageForProcessing, UID_BreastTomosynthesisImageStorage}},
-      {"XA", {UID_XRayAngiographicImageStorage, UID_EnhancedXAImageStorage}},
-      {"RF", {UID_XRayRadiofluoroscopicImageStorage, UID_EnhancedXRFImageStorage}},
-      {"US", {UID_UltrasoundImageStorage, UID_UltrasoundMultiframeImageStorage}},
-      {"SEG", {UID_SegmentationStorage}},
-      {"RTSTRUCT", {UID_RTStructureSetStorage}},
-      {"RTDOSE", {UID_RTDoseStorage}},
-      {"RTPLAN", {UID_RTPlanStorage}},
-      {"SR",
-       {UID_BasicTextSRStorage, UID_EnhancedSRStorage, UID_ComprehensiveSRStorage,
-        UID_Comprehensive3DSRStorage, UID_XRayRadiationDoseSRStorage}},
-      {"KO", {UID_KeyObjectSelectionDocumentStorage}},
-      {"PR", {UID_GrayscaleSoftcopyPresentationStateStorage, UID_ColorSoftcopyPresentationStateStorage}},
-      {"DOC", {UID_EncapsulatedPDFStorage}}};
-  const auto found = usual.find(modality);
-  std::vector<std::string> classes = found == usual.end() ? std::vector<std::string>() : found->second;
-  classes.push_back(UID_SecondaryCaptureImageStorage);
-  classes.push_back(UID_MultiframeTrueColorSecondaryCaptureImageStorage);
-  return classes;
-}
-
-// Some archives (dcmqrscp) send all of a class in the syntax that is offered first, or not at all.
-std::vector<WantedService> servicesFor(const std::vector<std::string>& classes, bool uncompressedFirst) {
-  std::vector<std::string> syntaxes = storedSyntaxes;
-  if (uncompressedFirst) std::ranges::reverse(syntaxes);
-  std::vector<WantedService> services{plainService(getModel)};
-  for (const std::string& sopClass : classes)
-    for (const std::string& syntax : syntaxes) services.push_back({sopClass, {syntax}, true});
-  return services;
-}
-
-// All classes that DCMTK knows, without compression.
-std::vector<WantedService> servicesForAny() {
-  std::vector<WantedService> services{plainService(getModel)};
-  for (int n = 0; n < numberOfDcmLongSCUStorageSOPClassUIDs; ++n) {
-    services.push_back(plainService(dcmLongSCUStorageSOPClassUIDs[n]));
-    services.back().isReceived = true;
-  }
-  return services;
-}
-
 // Fetches the series of one study, one after the other.
 class Fetch {
  public:
-  Fetch(const Archive& archive, const FetchRequest& request, const Progress& progress,
-        const CancelToken& cancel)
-      : archive_(archive), request_(request), progress_(progress), cancel_(cancel) {}
+  Fetch(ArchiveProtocol& protocol, const Archive& archive, const FetchRequest& request,
+        const Progress& progress, const CancelToken& cancel)
+      : protocol_(protocol), archive_(archive), request_(request), progress_(progress), cancel_(cancel) {}
 
   Result<FetchReport> operator()(const SeriesByUid& all) {
     for (const auto& [uid, series] : all) report_.expected += int(series.instances.size());
@@ -196,72 +107,20 @@ class Fetch {
     InstanceFolder files(folder, [&] {
       if (progress_) progress_("fetching", ++stored_, std::size_t(report_.expected));
     });
-    std::map<std::string, std::vector<std::string>> wanted;  // of each class
-    std::size_t here = 0;
-    for (const ListedInstance& one : series.instances)
-      files.has(one.uid) ? void(++here) : wanted[one.sopClass].push_back(one.uid);
-    report_.alreadyHere += int(here);
-    std::vector<std::string> classes;
-    for (const auto& [sopClass, uids] : wanted) classes.push_back(sopClass);
-    for (std::size_t first = 0; first < classes.size(); first += mostClasses) {
-      const auto begin = classes.begin() + std::ptrdiff_t(first);
-      const std::vector<std::string> some(
-          begin, begin + std::ptrdiff_t(std::min(mostClasses, classes.size() - first)));
-      std::vector<std::string> uids;
-      for (const std::string& sopClass : some)
-        uids.insert(uids.end(), wanted[sopClass].begin(), wanted[sopClass].end());
-      const bool isWhole = uids.size() == series.instances.size();
-      std::vector<std::string> offered = some;
-      const bool isGuessed = std::erase(offered, "") > 0;
-      if (isGuessed)
-        for (const std::string& usual : classesOf(series.modality)) offered.push_back(usual);
-      std::vector<std::vector<WantedService>> tries{servicesFor(offered, false), servicesFor(offered, true)};
-      if (isGuessed) tries.push_back(servicesForAny());
-      if (Status s = fetchInstances(seriesUid, tries, uids, isWhole, files); !s) return s;
-    }
-    for (const auto& [sopClass, uids] : wanted)
-      for (const std::string& uid : uids)
-        files.has(uid) ? void(++report_.fetched) : report_.missing.push_back(uid);
+    WantedInstances wanted{request_.studyUid, seriesUid, series.modality, series.instances};
+    std::erase_if(wanted.instances, [&](const ListedInstance& one) { return files.has(one.uid); });
+    wanted.isWhole = wanted.instances.size() == series.instances.size();
+    report_.alreadyHere += int(series.instances.size() - wanted.instances.size());
+    if (wanted.instances.empty()) return {};
+    const Status retrieved = protocol_.retrieve(wanted, files);
+    if (cancel_.cancelled()) return Error{"cancelled"};
+    bool isAll = true;
+    for (const ListedInstance& one : wanted.instances)
+      files.has(one.uid) ? void(++report_.fetched) : (isAll = false, report_.missing.push_back(one.uid));
+    if (!isAll)
+      addProblem(retrieved ? "The archive \"" + archive_.name + "\" did not send all that it lists."
+                           : retrieved.message());
     report_.bytes += files.bytesWritten();
-    return {};
-  }
-
-  // Asks for a whole series at once, or by instance for what is missing. What does not come is asked for once
-  // more with the next services.
-  Status fetchInstances(const std::string& seriesUid, const std::vector<std::vector<WantedService>>& tries,
-                        std::vector<std::string> uids, bool isWhole, InstanceFolder& files) {
-    Status last;
-    for (const std::vector<WantedService>& services : tries) {
-      auto association = Association::open(archive_, services, cancel_);
-      last =
-          association ? retrieve(*association, seriesUid, uids, isWhole, files) : Status(association.error());
-      if (cancel_.cancelled()) return Error{"cancelled"};
-      std::erase_if(uids, [&](const std::string& uid) { return files.has(uid); });
-      if (uids.empty()) return {};
-      isWhole = false;
-    }
-    addProblem(last ? "The archive \"" + archive_.name + "\" did not send all that it lists."
-                    : last.message());
-    return {};
-  }
-
-  Status retrieve(Association& association, const std::string& seriesUid,
-                  const std::vector<std::string>& uids, bool isWhole, InstanceFolder& files) {
-    if (isWhole) {
-      DcmDataset keys = keysAt("SERIES", request_.studyUid);
-      putKey(keys, DCM_SeriesInstanceUID, seriesUid);
-      return ended(association.get(getModel, keys, files));
-    }
-    constexpr std::size_t atOnce = 100;
-    for (std::size_t first = 0; first < uids.size(); first += atOnce) {
-      std::string list;
-      for (std::size_t n = first; n < std::min(uids.size(), first + atOnce); ++n)
-        list += (list.empty() ? "" : "\\") + uids[n];
-      DcmDataset keys = keysAt("IMAGE", request_.studyUid);
-      putKey(keys, DCM_SeriesInstanceUID, seriesUid);
-      putKey(keys, DCM_SOPInstanceUID, list);
-      if (Status s = ended(association.get(getModel, keys, files)); !s) return s;
-    }
     return {};
   }
 
@@ -270,6 +129,7 @@ class Fetch {
       report_.problems.push_back(sentence);
   }
 
+  ArchiveProtocol& protocol_;
   const Archive& archive_;
   const FetchRequest& request_;
   const Progress& progress_;
@@ -286,19 +146,29 @@ std::string nameForUid(const std::string& uid) {
   return hash.toHex().left(32).toStdString();
 }
 
+std::string fetchedFolder(const std::string& indexFolder, const std::string& studyUid) {
+  return indexFolder + "/fetched/" + nameForUid(studyUid);
+}
+
+std::vector<std::string> filesFetched(const FetchRequest& request) {
+  std::vector<std::string> files;
+  const std::string folder =
+      request.folder + (request.seriesUid.empty() ? "" : "/" + nameForUid(request.seriesUid));
+  std::error_code ignored;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, ignored))
+    if (entry.path().extension() == ".dcm") files.push_back(entry.path().string());
+  return files;
+}
+
 Result<FetchReport> fetchFromArchive(const Archive& archive, const FetchRequest& request,
                                      const Progress& progress, const CancelToken& cancel) {
-  Result<SeriesByUid> series = Error{};
-  {
-    auto association = Association::open(archive, {plainService(findModel)}, cancel);
-    if (!association) return association.error();
-    series = Listing(*association, archive, request)();
-  }
+  const auto protocol = protocolOf(archive, cancel);
+  const auto series = Listing(*protocol, archive, request)();
   if (!series) return series.error();
   if (series->empty())
     return Error{"The archive \"" + archive.name + "\" lists no images of this " +
                  (request.seriesUid.empty() ? "study." : "series.")};
-  return Fetch(archive, request, progress, cancel)(*series);
+  return Fetch(*protocol, archive, request, progress, cancel)(*series);
 }
 
 }  // namespace volumen

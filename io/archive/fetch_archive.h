@@ -29,6 +29,12 @@ struct FetchReport {
 /// Returns a file name for a UID of an archive, which may hold anything: 32 hexadecimal digits.
 std::string nameForUid(const std::string& uid);
 
+/// Returns the folder for what archives send of a study, beside the index in `indexFolder`.
+std::string fetchedFolder(const std::string& indexFolder, const std::string& studyUid);
+
+/// Returns the files that are there of a request.
+std::vector<std::string> filesFetched(const FetchRequest& request);
+
 /// Fetches a study over associations of its own (C-GET), each instance with the bytes that the archive holds.
 /// Instances that are in the folder are not fetched again, so that an interrupted fetch continues. The Error:
 /// nothing could be fetched.

@@ -15,17 +15,17 @@ bool InstanceFolder::has(const std::string& sopInstanceUid) const {
   return std::filesystem::exists(pathOf(sopInstanceUid), ignored);
 }
 
-Result<std::string> InstanceFolder::begin(const std::string& sopInstanceUid) {
-  Result<OutputFile> file = OutputFile::create(pathOf(sopInstanceUid));
+Result<std::string> InstanceFolder::begin() {
+  Result<OutputFile> file = OutputFile::create(folder_ + "/instance.dcm");
   if (!file) return file.error();
   written_.emplace(std::move(*file));
   return written_->asidePath();
 }
 
-Status InstanceFolder::end() {
+Status InstanceFolder::end(const std::string& sopInstanceUid) {
   std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(written_->asidePath(), ignored);
-  const Status kept = written_->commit();
+  const Status kept = written_->commitAs(pathOf(sopInstanceUid));
   written_.reset();
   if (!kept) return kept;
   bytes_ += ignored ? 0 : size;

@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "io/archive/association.h"
+#include "io/archive/instance_sink.h"
 #include "io/files/output_file.h"
 
 namespace volumen {
@@ -17,11 +17,11 @@ class InstanceFolder : public InstanceSink {
   explicit InstanceFolder(std::string folder, std::function<void()> onStored = {})
       : folder_(std::move(folder)), onStored_(std::move(onStored)) {}
 
-  bool has(const std::string& sopInstanceUid) const;
   std::uint64_t bytesWritten() const { return bytes_; }
 
-  Result<std::string> begin(const std::string& sopInstanceUid) override;
-  Status end() override;
+  bool has(const std::string& sopInstanceUid) const override;
+  Result<std::string> begin() override;
+  Status end(const std::string& sopInstanceUid) override;
   void drop() override { written_.reset(); }
 
  private:

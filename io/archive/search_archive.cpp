@@ -1,22 +1,19 @@
 #include "io/archive/search_archive.h"
 
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcuid.h>
 
 #include <QDate>
 #include <algorithm>
 #include <set>
 #include <sstream>
 
-#include "io/archive/association.h"
 #include "io/archive/data_sets.h"
+#include "io/archive/protocol.h"
 #include "io/archive/search_words.h"
 
 namespace volumen {
 
 namespace {
-
-constexpr const char* studyRoot = UID_FINDStudyRootQueryRetrieveInformationModel;
 
 std::string today() { return QDate::currentDate().toString(QStringLiteral("yyyyMMdd")).toStdString(); }
 
@@ -74,12 +71,12 @@ IndexedSeries seriesOf(const Answer& a) {
   return s;
 }
 
-// One search over one association.
+// One search.
 class Search {
  public:
-  Search(Association& association, const Archive& archive, const ArchiveQuery& query,
+  Search(ArchiveProtocol& protocol, const Archive& archive, const ArchiveQuery& query,
          const std::function<void(std::size_t)>& onStudies)
-      : association_(association),
+      : protocol_(protocol),
         archive_(archive),
         query_(query),
         words_(searchWords(query.words, today())),
@@ -114,7 +111,7 @@ class Search {
 
   Status ask(const StudyKeys& keys) {
     DcmDataset data = dataSetOf(keys);
-    const auto refusal = association_.find(studyRoot, data, [&](DcmDataset& one) {
+    const auto refusal = protocol_.find(data, [&](DcmDataset& one) {
       // An archive that ignores a key sends everything, and a faulty one never ends.
       full_ = full_ || ++answers_ > 10 * std::int64_t(query_.limit) + 1000;
       add(studyOf(Answer(one, archive_.characterSet)));
@@ -150,7 +147,7 @@ class Search {
     std::string modalities;
     std::set<std::string> known;
     int answers = 0;
-    const auto refusal = association_.find(studyRoot, data, [&](DcmDataset& one) {
+    const auto refusal = protocol_.find(data, [&](DcmDataset& one) {
       const Answer answer(one, archive_.characterSet);
       IndexedSeries series = seriesOf(answer);
       const std::string of = answer.text(DCM_StudyInstanceUID);
@@ -171,7 +168,7 @@ class Search {
 
   static constexpr int mostSeries = 100000;  // of one study
 
-  Association& association_;
+  ArchiveProtocol& protocol_;
   const Archive& archive_;
   const ArchiveQuery& query_;
   const std::vector<SearchWord> words_;
@@ -186,16 +183,14 @@ class Search {
 }  // namespace
 
 Status testArchive(const Archive& archive, const CancelToken& cancel) {
-  auto association = Association::open(archive, {plainService(UID_VerificationSOPClass)}, cancel);
-  return association ? association->echo() : association.error();
+  return protocolOf(archive, cancel)->test();
 }
 
 Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery& query,
                                      const std::function<void(std::size_t)>& onStudies,
                                      const CancelToken& cancel) {
-  auto association = Association::open(archive, {plainService(studyRoot)}, cancel);
-  if (!association) return association.error();
-  return Search(*association, archive, query, onStudies)();
+  const auto protocol = protocolOf(archive, cancel);
+  return Search(*protocol, archive, query, onStudies)();
 }
 
 }  // namespace volumen

@@ -152,6 +152,11 @@ Status OutputFile::commit() {
   return {};
 }
 
+Status OutputFile::commitAs(const std::string& path) {
+  state_->path = state_->target = path;
+  return commit();
+}
+
 Status writeWholeFile(const std::string& path, std::string_view bytes) {
   auto file = OutputFile::create(path);
   if (!file) return file.error();

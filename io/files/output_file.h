@@ -27,6 +27,8 @@ class OutputFile {
   Status startGzip();
   /// Completes the file and renames it to its path.
   Status commit();
+  /// Completes the file and renames it to another path in the same folder, which is known only now.
+  Status commitAs(const std::string& path);
 
  private:
   struct State;

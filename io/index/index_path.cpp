@@ -1,30 +1,18 @@
 #include "io/index/index_path.h"
 
-#include <QCoreApplication>
 #include <filesystem>
-#include <optional>
 
+#include "io/archive/archive_path.h"
 #include "io/index/index.h"
 #include "io/open.h"
+#include "io/phantom.h"
+#include "io/qt_application.h"
+#include "io/walk.h"
 
 namespace volumen {
 namespace {
 
-constexpr std::string_view prefix = "index:";
-
-// Qt finds its SQLite driver only if there is an application.
-class QtApplication {
- public:
-  QtApplication() {
-    if (!QCoreApplication::instance()) own_.emplace(argc_, argv_);
-  }
-
- private:
-  int argc_ = 1;
-  char name_[8] = "volumen";
-  char* argv_[2] = {name_, nullptr};
-  std::optional<QCoreApplication> own_;
-};
+constexpr std::string_view prefix = "index:", archivePrefix = "archive:";
 
 Result<IndexedStudy> findStudy(const Index& index, const std::string& wanted) {
   const Result<std::vector<IndexedStudy>> all = index.studies();
@@ -86,7 +74,7 @@ Result<std::vector<std::string>> filesOf(const std::string& named) {
 }
 
 Result<std::vector<std::string>> filesOfIndexPath(const std::string& path) {
-  const QtApplication application;
+  needQtApplication();
   const Result<std::vector<std::string>> files = filesOf(path.substr(prefix.size()));
   if (!files) return Error{path + ": " + files.message()};
   return files;
@@ -94,9 +82,22 @@ Result<std::vector<std::string>> filesOfIndexPath(const std::string& path) {
 
 }  // namespace
 
+bool isStudyName(const std::string& path) {
+  return isPhantom(path) || path.starts_with(prefix) || path.starts_with(archivePrefix);
+}
+
+Result<std::vector<std::string>> filesOfPath(const std::string& path, const Progress& progress,
+                                             const CancelToken& cancel) {
+  if (path.starts_with(archivePrefix)) return fetchPath(path, progress, cancel);
+  if (path.starts_with(prefix)) return filesOfIndexPath(path);
+  auto found = findFiles(path, cancel);
+  if (!found) return found.error();
+  return std::move(found->files);
+}
+
 Result<Study> openPath(const std::string& path, const Progress& progress, const CancelToken& cancel) {
-  if (!path.starts_with(prefix)) return openStudy(path, progress, cancel);
-  const Result<std::vector<std::string>> files = filesOfIndexPath(path);
+  if (!path.starts_with(archivePrefix) && !path.starts_with(prefix)) return openStudy(path, progress, cancel);
+  const Result<std::vector<std::string>> files = filesOfPath(path, progress, cancel);
   if (!files) return files.error();
   Result<Study> study = openFiles(*files, progress, cancel);
   return study ? std::move(study) : Error{path + ": interrupted."};

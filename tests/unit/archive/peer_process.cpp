@@ -4,7 +4,6 @@
 #include <QFile>
 #include <QStandardPaths>
 #include <QTcpServer>
-#include <QTcpSocket>
 
 namespace volumen::tests {
 
@@ -66,6 +65,24 @@ bool QrPeer::start() {
   process_.setStandardErrorFile(QProcess::nullDevice());
   process_.start(QStringLiteral("dcmqrscp"), {QStringLiteral("-c"), path, QStringLiteral("+xt")});
   return listensAt(port_);
+}
+
+FakePeer::FakePeer(std::function<void(QTcpSocket&)> answer) : answer_(std::move(answer)), port_(freePort()) {
+  start();
+  while (!listening_) msleep(1);
+}
+
+FakePeer::~FakePeer() {
+  requestInterruption();
+  wait();
+}
+
+void FakePeer::run() {
+  QTcpServer server;
+  server.listen(QHostAddress::LocalHost, quint16(port_));
+  listening_ = true;
+  while (!isInterruptionRequested())
+    if (server.waitForNewConnection(20)) answer_(*server.nextPendingConnection());
 }
 
 }  // namespace volumen::tests

@@ -1,7 +1,11 @@
 #pragma once
 
 #include <QProcess>
+#include <QTcpSocket>
 #include <QTemporaryDir>
+#include <QThread>
+#include <atomic>
+#include <functional>
 
 namespace volumen::tests {
 
@@ -28,6 +32,22 @@ class QrPeer {
   QTemporaryDir folder_;
   QProcess process_;
   const int port_;
+};
+
+/// A peer that is no archive: `answer` gets each connection, one after the other.
+class FakePeer : public QThread {
+ public:
+  explicit FakePeer(std::function<void(QTcpSocket&)> answer);
+  ~FakePeer() override;
+  int port() const { return port_; }
+
+ protected:
+  void run() override;
+
+ private:
+  const std::function<void(QTcpSocket&)> answer_;
+  const int port_;
+  std::atomic<bool> listening_{false};
 };
 
 }  // namespace volumen::tests

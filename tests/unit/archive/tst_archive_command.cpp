@@ -1,18 +1,16 @@
-// Guards `volumen archive`: searching a real archive (dcmqrscp), and the sentence on each thing that can be
-// wrong with a peer.
+// Guards `volumen archive`: searching real archives (dcmqrscp, Orthanc by DIMSE and by DICOMweb), and the
+// sentence on each thing that can be wrong with a peer.
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QTcpServer>
-#include <QTcpSocket>
-#include <QThread>
-#include <atomic>
-#include <functional>
+#include <QRegularExpression>
 #include <memory>
 
 #include "tests/fixtures/program.h"
 #include "tests/unit/archive/archived_studies.h"
+#include "tests/unit/archive/orthanc_peer.h"
 #include "tests/unit/archive/peer_process.h"
 #include "tests/unit/suite.h"
 
@@ -39,12 +37,14 @@ class TestArchiveCommand : public QObject {
     return QStringList{QStringLiteral("archive"), command, QStringLiteral("--archives"), file_} + more;
   }
   void list(const QByteArray& name, int port, const QByteArray& calledAe, const QByteArray& more = {});
-  QJsonArray studies(const QStringList& words) const;
+  void startOrthanc();
+  QJsonArray studies(const QStringList& words, const QString& archive = QStringLiteral("qr")) const;
 
   QTemporaryDir folder_;
   QString file_;
   QStringList archives_;
   std::unique_ptr<QrPeer> peer_;
+  std::unique_ptr<OrthancPeer> orthanc_;  // null if it is not installed
 };
 
 namespace {
@@ -52,34 +52,6 @@ namespace {
 QStringList wordsOf(const char* words) {
   return QString::fromUtf8(words).split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
-
-// A peer that is no archive: `answer` gets each connection.
-class FakePeer : public QThread {
- public:
-  explicit FakePeer(std::function<void(QTcpSocket&)> answer) : answer_(std::move(answer)), port_(freePort()) {
-    start();
-    while (!listening_) msleep(1);
-  }
-  ~FakePeer() override {
-    requestInterruption();
-    wait();
-  }
-  int port() const { return port_; }
-
- protected:
-  void run() override {
-    QTcpServer server;
-    server.listen(QHostAddress::LocalHost, quint16(port_));
-    listening_ = true;
-    while (!isInterruptionRequested())
-      if (server.waitForNewConnection(20)) answer_(*server.nextPendingConnection());
-  }
-
- private:
-  const std::function<void(QTcpSocket&)> answer_;
-  const int port_;
-  std::atomic<bool> listening_{false};
-};
 
 }  // namespace
 
@@ -93,9 +65,9 @@ void TestArchiveCommand::list(const QByteArray& name, int port, const QByteArray
   out.write("{\"archives\": [" + archives_.join(QStringLiteral(", ")).toUtf8() + "]}");
 }
 
-QJsonArray TestArchiveCommand::studies(const QStringList& words) const {
-  const Outcome done = runProgram(with(QStringLiteral("query"), QStringList{QStringLiteral("qr")} + words +
-                                                                    QStringList{QStringLiteral("--json")}));
+QJsonArray TestArchiveCommand::studies(const QStringList& words, const QString& archive) const {
+  const Outcome done = runProgram(
+      with(QStringLiteral("query"), QStringList{archive} + words + QStringList{QStringLiteral("--json")}));
   if (done.status != 0) qCritical("%s", done.err.constData());
   return QJsonDocument::fromJson(done.out)[QStringLiteral("studies")].toArray();
 }
@@ -106,14 +78,31 @@ void TestArchiveCommand::initTestCase() {
   peer_ = std::make_unique<QrPeer>();
   peer_->add(writeAllArchived(folder_.path()));
   QVERIFY(peer_->start());
+  startOrthanc();
   list("qr", peer_->port(), "ARCH");
 }
 
+void TestArchiveCommand::startOrthanc() {
+  if (!OrthancPeer::isInstalled()) return;
+  orthanc_ = std::make_unique<OrthancPeer>();
+  QVERIFY(orthanc_->start());
+  orthanc_->add(QDir(folder_.path())
+                    .entryList({QStringLiteral("*.dcm")})
+                    .replaceInStrings(QRegularExpression(QStringLiteral("^")), folder_.path() + u'/'));
+  list("orthanc", orthanc_->port(), "ORTHANC");
+  archives_ << QStringLiteral(R"({"name": "web", "kind": "dicomweb", "url": "%1", "user": "alice",
+      "passwordCommand": "echo secret"})")
+                   .arg(orthanc_->url());
+}
+
 void TestArchiveCommand::studiesAreFound_data() {
+  QTest::addColumn<QString>("archive");
   QTest::addColumn<QStringList>("words");
   QTest::addColumn<QStringList>("uids");
   const auto row = [](const char* name, const char* words, const char* uids) {
-    QTest::newRow(name) << wordsOf(words) << wordsOf(uids);
+    for (const char* archive : {"qr", "orthanc", "web"})
+      QTest::addRow("%s, %s", name, archive)
+          << QString::fromLatin1(archive) << wordsOf(words) << wordsOf(uids);
   };
   row("all", "", "1.2.1 1.2.2 1.2.3 1.2.4 1.2.5 1.2.6");
   row("small letters", "doe", "1.2.1 1.2.2");
@@ -140,9 +129,11 @@ void TestArchiveCommand::studiesAreFound_data() {
 }
 
 void TestArchiveCommand::studiesAreFound() {
+  QFETCH(QString, archive);
+  if (archive != u"qr" && !orthanc_) QSKIP("Orthanc is not installed (packages orthanc, orthanc-dicomweb)");
   QFETCH(QStringList, words);
   QFETCH(QStringList, uids);
-  QCOMPARE(uidsOf(studies(words)), uids);
+  QCOMPARE(uidsOf(studies(words, archive)), uids);
 }
 
 void TestArchiveCommand::answersAreShapedAsThoseOfTheIndex() {
@@ -220,7 +211,7 @@ void TestArchiveCommand::peersThatFailAreExplained() {
     socket.waitForDisconnected(1000);
   });
   const FakePeer hangsUp([](QTcpSocket& socket) { socket.abort(); });
-  archives_.resize(1);
+  archives_.clear();
   list("called", peer_->port(), "NOBODY");
   list("closed", freePort(), "ARCH");
   list("http", http.port(), "ARCH");
@@ -238,7 +229,7 @@ void TestArchiveCommand::peersThatFailAreExplained() {
 
 void TestArchiveCommand::aSilentPeerIsLeftAfterTenSeconds() {
   const FakePeer silent([](QTcpSocket& socket) { socket.waitForDisconnected(30000); });
-  archives_.resize(1);
+  archives_.clear();
   list("silent", silent.port(), "ARCH");
   const Outcome done = runProgram(with(QStringLiteral("test"), {QStringLiteral("silent")}));
   QCOMPARE(done.status, 1);

@@ -14,6 +14,8 @@ class TestArchivesFile : public QObject {
  private Q_SLOTS:
   void problemsAreNamed_data();
   void problemsAreNamed();
+  void problemsOfWebArchivesAreNamed_data();
+  void problemsOfWebArchivesAreNamed();
   void whatIsWrittenIsReadAgain();
   void aMissingFileHoldsNoArchive();
   void anUnknownNameIsAnsweredWithTheKnownOnes();
@@ -51,7 +53,7 @@ void TestArchivesFile::problemsAreNamed_data() {
                        {"name": "a", "kind": "dimse", "host": "h", "calledAe": "A"}]})",
       "archives[0].name is used twice: \"a\"");
   row("an unknown kind", R"({"archives": [{"name": "a", "kind": "fax", "host": "h", "calledAe": "A"}]})",
-      "archives[0].kind must be \"dimse\", not \"fax\"");
+      "archives[0].kind must be \"dimse\" or \"dicomweb\", not \"fax\"");
   row("no host", R"({"archives": [{"name": "a", "kind": "dimse", "calledAe": "A"}]})",
       "archives[0].host is missing");
   row("a host with a port",
@@ -69,12 +71,57 @@ void TestArchivesFile::problemsAreNamed_data() {
       "archives[0].callingAe must be printable ASCII without backslash");
   row("port 0", archiveWith(R"(, "port": 0)"), "archives[0].port must be in 1 .. 65535");
   row("TLS that trusts nobody", archiveWith(R"(, "tls": {})"),
-      "archives[0].tls.pin or \"ca\" must say which certificate the archive has");
+      "archives[0].tls must say by \"pin\" or \"ca\" which certificate the archive has");
   row("a short pin", archiveWith(R"(, "tls": {"pin": "ab"})"),
       "archives[0].tls.pin must have 64 hexadecimal digits");
   row("a certificate without its key", archiveWith(R"(, "tls": {"ca": "c", "certificate": "c"})"),
       "archives[0].tls.key and \"certificate\" belong together");
   row("an unknown field", archiveWith(R"(, "password": "secret")"), "archives[0].password");
+}
+
+void TestArchivesFile::problemsOfWebArchivesAreNamed_data() {
+  QTest::addColumn<QByteArray>("fields");
+  QTest::addColumn<QByteArray>("problem");  // empty: it is read
+  const auto row = [](const char* name, const char* fields, const char* problem) {
+    QTest::newRow(name) << QByteArray(fields) << QByteArray(problem);
+  };
+  const char* const wrongUrl = "archives[0].url must begin with http:// or https:// and hold neither user";
+  row("the least", R"("url": "http://h/dicom-web/")", "");
+  row("a password", R"("url": "https://h", "user": "a", "passwordCommand": "pass a")", "");
+  row("a token and a certificate",
+      R"("url": "https://h", "tokenCommand": "t", "tls": {"certificate": "c", "key": "k"})", "");
+  row("no URL", R"("user": "a")", "archives[0].url is missing");
+  row("no scheme", R"("url": "h/dicom-web")", wrongUrl);
+  row("another scheme", R"("url": "file:///etc")", wrongUrl);
+  row("no host", R"("url": "http:///dicom-web")", wrongUrl);
+  row("a password in the URL", R"("url": "http://a:secret@h/")", wrongUrl);
+  row("a query", R"("url": "http://h/?a=b")", wrongUrl);
+  row("a user without a password", R"("url": "http://h", "user": "a")",
+      "archives[0].user and \"passwordCommand\" belong together");
+  row("a user with a colon", R"("url": "http://h", "user": "a:b", "passwordCommand": "p")",
+      "archives[0].user must not hold \":\"");
+  row("a token beside a user",
+      R"("url": "http://h", "user": "a", "passwordCommand": "p", "tokenCommand": "t")",
+      "archives[0].tokenCommand and \"user\" exclude each other");
+  row("TLS without https", R"("url": "http://h", "tls": {"ca": "c"})",
+      "archives[0].tls needs a URL with https://");
+  row("an AE title", R"("url": "http://h", "calledAe": "A")", "archives[0].calledAe");
+}
+
+void TestArchivesFile::problemsOfWebArchivesAreNamed() {
+  QFETCH(QByteArray, fields);
+  QFETCH(QByteArray, problem);
+  const auto archives =
+      parseArchives((R"({"archives": [{"name": "web", "kind": "dicomweb", )" + fields + "}]}").toStdString());
+  QVERIFY2(archives.ok() == problem.isEmpty(), archives ? "" : archives.message().c_str());
+  if (archives) {
+    const std::string written = archivesToJson(*archives);
+    QCOMPARE(parseArchives(written).ok() ? archivesToJson(*parseArchives(written)) : "", written);
+    return;
+  }
+  const QByteArray said = QByteArray::fromStdString(archives.message());
+  QVERIFY2(said.contains(problem), said);
+  QVERIFY2(!said.contains("secret"), said);
 }
 
 void TestArchivesFile::problemsAreNamed() {

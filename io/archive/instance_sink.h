@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// Where instances go that come from a network, one after the other.
+class InstanceSink {
+ public:
+  virtual ~InstanceSink() = default;
+  /// Returns whether it keeps this instance already.
+  virtual bool has(const std::string& sopInstanceUid) const = 0;
+  /// Returns the path of an empty file, into which the next instance is to be written.
+  virtual Result<std::string> begin() = 0;
+  /// Keeps that file: it is complete.
+  virtual Status end(const std::string& sopInstanceUid) = 0;
+  /// Deletes that file: it is not complete.
+  virtual void drop() = 0;
+};
+
+}  // namespace volumen

@@ -1,0 +1,270 @@
+// Archives that are asked by DICOMweb (PS3.18): QIDO-RS, WADO-RS and STOW-RS.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
+
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+
+#include "io/archive/data_sets.h"
+#include "io/archive/instance_uids.h"
+#include "io/archive/multipart.h"
+#include "io/archive/protocol.h"
+#include "io/archive/send_web.h"
+#include "io/archive/web_exchange.h"
+#include "io/archive/web_json.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr const char* jsonType = "application/dicom+json";
+constexpr std::size_t mostBytesOfPage = 64 << 20;
+constexpr std::chrono::minutes mostTimeOfPage{2};
+
+// Collects an answer as text.
+class TextBody {
+ public:
+  explicit TextBody(const WebExchange& exchange) : exchange_(exchange) {}
+
+  WebExchange::OnBody onBody() {
+    return [this](const WebAnswer&, std::string_view bytes) -> Status {
+      if (text_.size() + bytes.size() > mostBytesOfPage)
+        return exchange_.says("sent an answer that is too large");
+      if (Clock::now() > end_) return exchange_.says("takes more than 2 minutes for an answer");
+      text_ += bytes;
+      return {};
+    };
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  const WebExchange& exchange_;
+  const Clock::time_point end_ = Clock::now() + mostTimeOfPage;
+  std::string text_;
+};
+
+// Writes the instances that come into a sink. Those that nobody asked for are dropped.
+class InstanceParts : public PartSink {
+ public:
+  InstanceParts(const WantedInstances& wanted, InstanceSink& sink) : sink_(sink) {
+    for (const ListedInstance& one : wanted.instances) wanted_.insert(one.uid);
+  }
+  ~InstanceParts() override {
+    if (file_.is_open()) sink_.drop();
+  }
+
+  Status beginPart() override {
+    if (++parts_ > 2 * wanted_.size() + 1000) return Error{"sends instances without end"};
+    if (file_.is_open()) file_.close();  // the last one was cut off
+    auto path = sink_.begin();
+    if (!path) return path.error();
+    path_ = *path;
+    file_.open(path_, std::ios::binary | std::ios::trunc);
+    return file_ ? Status() : cannotWrite();
+  }
+
+  Status partData(std::string_view bytes) override {
+    file_.write(bytes.data(), std::streamsize(bytes.size()));
+    return file_ ? Status() : cannotWrite();
+  }
+
+  Status endPart() override {
+    file_.close();
+    if (!file_) return cannotWrite();
+    const auto uids = uidsIn(path_);
+    if (uids && wanted_.count(uids->sopInstance)) return sink_.end(uids->sopInstance);
+    sink_.drop();
+    return {};
+  }
+
+ private:
+  Status cannotWrite() {
+    file_.close();
+    sink_.drop();
+    return Error{path_ + " cannot be written: is the disk full?"};
+  }
+
+  InstanceSink& sink_;
+  std::set<std::string> wanted_;
+  std::size_t parts_ = 0;
+  std::string path_;
+  std::ofstream file_;
+};
+
+// Takes the body of an answer of WADO-RS: parts, or one instance without parts.
+class WadoBody {
+ public:
+  WadoBody(InstanceParts& parts, const WebExchange& exchange) : parts_(parts), exchange_(exchange) {}
+
+  WebExchange::OnBody onBody() {
+    return [this](const WebAnswer& answer, std::string_view bytes) { return take(answer, bytes); };
+  }
+
+  // Call it after the last byte. A part that is cut off stays out.
+  Status end() {
+    if (isOne_) return parts_.endPart();
+    if (reader_ && !reader_->isComplete()) return exchange_.says("ended the answer too early");
+    return {};
+  }
+
+ private:
+  Status take(const WebAnswer& answer, std::string_view bytes) {
+    if (!reader_ && !isOne_) {
+      auto reader = MultipartReader::of(answer.contentType, parts_);
+      if (reader) {
+        reader_.emplace(std::move(*reader));
+      } else {
+        if (!answer.contentType.starts_with("application/dicom"))
+          return exchange_.says("sends " + reader.message());
+        isOne_ = true;
+        if (Status s = parts_.beginPart(); !s) return s;
+      }
+    }
+    return isOne_ ? parts_.partData(bytes) : reader_->feed(bytes);
+  }
+
+  InstanceParts& parts_;
+  const WebExchange& exchange_;
+  std::optional<MultipartReader> reader_;
+  bool isOne_ = false;
+};
+
+// Media types for instances, as stored if possible. Archives refuse lists of types, and some of these.
+constexpr const char* wadoTypes[] = {
+    "multipart/related; type=\"application/dicom\"; transfer-syntax=*",
+    "application/dicom; transfer-syntax=*",
+    "multipart/related; type=\"application/dicom\"",
+    "application/dicom",
+};
+
+class WebProtocol : public ArchiveProtocol {
+ public:
+  WebProtocol(const Archive& archive, const CancelToken& cancel)
+      : exchange_(archive, cancel), cancel_(cancel) {}
+
+  Status test() override {
+    TextBody body(exchange_);
+    const auto answer = exchange_.send({"/studies?limit=1", jsonType, {}}, body.onBody());
+    if (!answer) return answer.error();
+    return isSuccess(*answer) ? Status() : refusal(*answer);
+  }
+
+  // Some archives compare names without wildcards, but fuzzily.
+  Result<std::string> find(DcmDataset& keys, const std::function<bool(DcmDataset&)>& onAnswer) override {
+    std::set<std::string> known;
+    const auto found = findPages(keys, false, known, onAnswer);
+    const bool isOfName = isOfStudies(keys) && !Answer(keys, "").text(DCM_PatientName).empty();
+    return found && found->empty() && known.empty() && isOfName ? findPages(keys, true, known, onAnswer)
+                                                                : found;
+  }
+
+  Status send(const std::vector<SentInstance>& instances, const OnSent& onSent) override {
+    return sendByWeb(exchange_, instances, onSent);
+  }
+
+  Status retrieve(const WantedInstances& wanted, InstanceSink& sink) override {
+    InstanceParts parts(wanted, sink);
+    const std::string series =
+        "/studies/" + percentEncoded(wanted.studyUid) + "/series/" + percentEncoded(wanted.seriesUid);
+    Status problem;
+    if (wanted.isWhole && wanted.instances.size() > 1) {
+      bool isRefused = false;
+      problem = get(series, wadoTypes[0], parts, isRefused);
+    }
+    for (const ListedInstance& one : wanted.instances) {
+      if (sink.has(one.uid)) continue;
+      const Status s = getInstance(series + "/instances/" + percentEncoded(one.uid), parts);
+      if (!s) problem = s;
+      if (cancel_.cancelled()) return Error{"cancelled"};
+    }
+    return problem;
+  }
+
+ private:
+  static constexpr int pageSize = 100;
+
+  static bool isSuccess(const WebAnswer& answer) { return answer.status >= 200 && answer.status < 300; }
+  static bool isOfStudies(DcmDataset& keys) {
+    return Answer(keys, "").text(DCM_QueryRetrieveLevel) == "STUDY";
+  }
+
+  // Archives have page sizes of their own, and some know no pages: the last page brings nothing new.
+  Result<std::string> findPages(DcmDataset& keys, bool isFuzzy, std::set<std::string>& known,
+                                const std::function<bool(DcmDataset&)>& onAnswer) {
+    for (int offset = 0;;) {
+      TextBody body(exchange_);
+      const auto answer =
+          exchange_.send({searchTarget(keys, pageSize, offset, isFuzzy), jsonType, {}}, body.onBody());
+      if (!answer) return answer.error();
+      if (answer->status == 404 && offset == 0 && !isOfStudies(keys)) return std::string();
+      if (!isSuccess(*answer)) return refusal(*answer).message;
+      const auto page = nlohmann::json::parse(body.text().empty() ? "[]" : body.text(), nullptr, false);
+      if (!page.is_array()) return exchange_.says("does not answer the search in JSON").message;
+      const std::size_t before = known.size();
+      if (!givePage(page, keys, known, onAnswer) || known.size() == before) return std::string();
+      offset += int(page.size());
+    }
+  }
+
+  Error refusal(const WebAnswer& answer) const {
+    if (answer.status == 404) return exchange_.says("has no DICOMweb services at this URL (404)");
+    if (answer.status == 413)
+      return exchange_.says("refuses the search as too large (413): add a word or a date");
+    return exchange_.says("answers with status " + std::to_string(answer.status));
+  }
+
+  // Returns whether more is wanted.
+  bool givePage(const nlohmann::json& page, DcmDataset& keys, std::set<std::string>& known,
+                const std::function<bool(DcmDataset&)>& onAnswer) {
+    for (const nlohmann::json& one : page) {
+      DcmDataset data;
+      putAnswer(one, keys, data);
+      const Answer answer(data, "");
+      std::string uid;
+      for (const DcmTagKey& tag : {DCM_SOPInstanceUID, DCM_SeriesInstanceUID, DCM_StudyInstanceUID})
+        if (uid.empty()) uid = answer.text(tag);
+      if (known.insert(uid).second && !onAnswer(data)) return false;
+    }
+    return true;
+  }
+
+  // Some archives refuse a type that others need; what one accepts is asked for from then on.
+  Status getInstance(const std::string& target, InstanceParts& parts) {
+    for (; type_ < std::size(wadoTypes); ++type_) {
+      bool isRefused = false;
+      const Status s = get(target, wadoTypes[type_], parts, isRefused);
+      if (!isRefused) return s;
+    }
+    type_ = 0;
+    return exchange_.says("sends instances in none of the forms that are asked for (406)");
+  }
+
+  Status get(const std::string& target, const char* type, InstanceParts& parts, bool& isRefused) {
+    WadoBody body(parts, exchange_);
+    const auto answer = exchange_.send({target, type, {}, false}, body.onBody());
+    if (!answer) return answer.error();
+    isRefused = answer->status == 400 || answer->status == 406 || answer->status == 415;
+    if (isRefused) return {};
+    if (answer->status == 404 || answer->status == 410)
+      return exchange_.says("no longer has all that it lists");
+    if (!isSuccess(*answer)) return refusal(*answer);
+    return body.end();
+  }
+
+  WebExchange exchange_;
+  const CancelToken cancel_;
+  std::size_t type_ = 0;  // in wadoTypes
+};
+
+}  // namespace
+
+std::unique_ptr<ArchiveProtocol> makeWebProtocol(const Archive& archive, const CancelToken& cancel) {
+  return std::make_unique<WebProtocol>(archive, cancel);
+}
+
+}  // namespace volumen
