@@ -150,13 +150,16 @@ std::string fetchedFolder(const std::string& indexFolder, const std::string& stu
   return indexFolder + "/fetched/" + nameForUid(studyUid);
 }
 
+std::string folderOf(const FetchRequest& request) {
+  return request.folder + (request.seriesUid.empty() ? "" : "/" + nameForUid(request.seriesUid));
+}
+
 std::vector<std::string> filesFetched(const FetchRequest& request) {
   std::vector<std::string> files;
-  const std::string folder =
-      request.folder + (request.seriesUid.empty() ? "" : "/" + nameForUid(request.seriesUid));
-  std::error_code ignored;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(folder, ignored))
-    if (entry.path().extension() == ".dcm") files.push_back(entry.path().string());
+  std::error_code error;
+  std::filesystem::recursive_directory_iterator all(folderOf(request), error);
+  for (; !error && all != std::filesystem::recursive_directory_iterator(); all.increment(error))
+    if (all->path().extension() == ".dcm") files.push_back(all->path().string());
   return files;
 }
 

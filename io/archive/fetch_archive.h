@@ -32,6 +32,9 @@ std::string nameForUid(const std::string& uid);
 /// Returns the folder for what archives send of a study, beside the index in `indexFolder`.
 std::string fetchedFolder(const std::string& indexFolder, const std::string& studyUid);
 
+/// Returns the folder of a request's study or series.
+std::string folderOf(const FetchRequest& request);
+
 /// Returns the files that are there of a request.
 std::vector<std::string> filesFetched(const FetchRequest& request);
 

@@ -102,6 +102,26 @@ class Search {
     return ArchiveAnswers{std::move(found_), full_ ? notAll() : refusal_};
   }
 
+  // Returns the series of a study. Sets `refusal` to why the archive ended their list early.
+  Result<std::vector<IndexedSeries>> seriesIn(const std::string& studyUid, std::string& refusal) {
+    DcmDataset data = seriesKeysOf(studyUid);
+    std::vector<IndexedSeries> all;
+    std::set<std::string> known;
+    int answers = 0;
+    const auto refused = protocol_.find(data, [&](DcmDataset& one) {
+      const Answer answer(one, archive_.characterSet);
+      IndexedSeries series = seriesOf(answer);
+      const std::string of = answer.text(DCM_StudyInstanceUID);
+      const bool isOther = !of.empty() && of != studyUid;
+      if (!series.seriesUid.empty() && !isOther && known.insert(series.seriesUid).second)
+        all.push_back(std::move(series));
+      return ++answers < mostSeries;
+    });
+    if (!refused) return refused.error();
+    refusal = *refused;
+    return all;
+  }
+
  private:
   std::string notAll() const {
     return "The archive \"" + archive_.name +
@@ -143,25 +163,15 @@ class Search {
         std::ranges::any_of(words_, [](const SearchWord& word) { return !word.modality.empty(); });
     const bool lacksModalities = study.study.modalities.empty() && asksModality;
     if (!query_.withSeries && !lacksModalities) return {};
-    DcmDataset data = seriesKeysOf(study.study.studyUid);
+    std::string refusal;
+    Result<std::vector<IndexedSeries>> series = seriesIn(study.study.studyUid, refusal);
+    if (!series) return series.error();
+    if (!refusal.empty()) refusal_ = refusal;
+    study.series = std::move(*series);
     std::string modalities;
-    std::set<std::string> known;
-    int answers = 0;
-    const auto refusal = protocol_.find(data, [&](DcmDataset& one) {
-      const Answer answer(one, archive_.characterSet);
-      IndexedSeries series = seriesOf(answer);
-      const std::string of = answer.text(DCM_StudyInstanceUID);
-      const bool isOther = !of.empty() && of != study.study.studyUid;
-      if (!series.seriesUid.empty() && !isOther && known.insert(series.seriesUid).second) {
-        modalities += series.modality + " ";
-        study.series.push_back(std::move(series));
-      }
-      return ++answers < mostSeries;
-    });
-    if (!refusal) return refusal.error();
-    if (!refusal->empty()) refusal_ = *refusal;
+    for (const IndexedSeries& one : study.series) modalities += one.modality + " ";
     if (study.study.modalities.empty()) study.study.modalities = listed(modalities);
-    if (study.study.series < 0 && refusal->empty()) study.study.series = int(study.series.size());
+    if (study.study.series < 0 && refusal.empty()) study.study.series = int(study.series.size());
     if (!query_.withSeries) study.series.clear();
     return {};
   }
@@ -191,6 +201,15 @@ Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery&
                                      const CancelToken& cancel) {
   const auto protocol = protocolOf(archive, cancel);
   return Search(*protocol, archive, query, onStudies)();
+}
+
+Result<std::vector<IndexedSeries>> seriesOfArchiveStudy(const Archive& archive, const std::string& studyUid,
+                                                        const CancelToken& cancel) {
+  const auto protocol = protocolOf(archive, cancel);
+  std::string refusal;
+  auto series = Search(*protocol, archive, {}, {}).seriesIn(studyUid, refusal);
+  if (series && series->empty() && !refusal.empty()) return Error{refusal};
+  return series;
 }
 
 }  // namespace volumen

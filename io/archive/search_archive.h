@@ -38,4 +38,8 @@ Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery&
                                      const std::function<void(std::size_t)>& onStudies,
                                      const CancelToken& cancel);
 
+/// Returns the series of one study of an archive, as far as it lists them.
+Result<std::vector<IndexedSeries>> seriesOfArchiveStudy(const Archive& archive, const std::string& studyUid,
+                                                        const CancelToken& cancel);
+
 }  // namespace volumen

@@ -177,7 +177,7 @@ void TestComparePrior::aListThatCannotBeReadIsTold() {
   QVERIFY(w.isOpen());
   const Workspace before = w.workspace();
   w.comparePrior();
-  QTRY_VERIFY2_WITH_TIMEOUT(w.complaint().startsWith(QStringLiteral("The list of studies could not be read")),
+  QTRY_VERIFY2_WITH_TIMEOUT(w.complaint().startsWith(QStringLiteral("A list of studies could not be read")),
                             qPrintable(w.complaint()), longest);
   QVERIFY(w.workspace() == before);
   QCOMPARE(w.window.document().open.volumes().size(), std::size_t(1));

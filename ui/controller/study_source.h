@@ -15,14 +15,14 @@ namespace volumen {
 
 /// A query of the study browser.
 struct StudyListRequest {
-  std::string words;  ///< as typed; empty for all studies and those opened last
+  std::string words;  ///< as typed; empty for what the source lists by itself: all studies
   StudySort sort;
   bool operator==(const StudyListRequest&) const = default;
 };
 
 /// A source of studies: the index of this machine, or an archive. No call waits; each ends in a signal. Slow
-/// work is a job in the list, and sends no signal if it is cancelled there. Numbers of studies and series are
-/// local to the source.
+/// work is a job in the list. Opening and importing send no signal if they are cancelled there. Numbers of
+/// studies and series are local to the source.
 class StudySource : public QObject {
   Q_OBJECT
  public:
@@ -32,6 +32,9 @@ class StudySource : public QObject {
   virtual QString key() const = 0;
   /// Returns the name shown to the user.
   virtual QString name() const = 0;
+  /// Returns whether it is asked over a network: less often, and only for what the user wants to see. False
+  /// in the base class.
+  virtual bool isRemote() const { return false; }
   /// Returns the path under which a study of this source is listed among open studies.
   QString placeOf(std::int64_t study) const { return QStringLiteral("%1:%2").arg(key()).arg(study); }
 

@@ -83,7 +83,7 @@ void addUp(ListedPatient& patient) {
   std::set<std::string> modalities;
   patient.offline = true;
   for (const IndexedStudy& study : patient.studies) {
-    patient.images += study.images;
+    patient.images = study.images < 0 || patient.images < 0 ? -1 : patient.images + study.images;
     patient.warnings += study.warnings;
     patient.date = std::max(patient.date, study.date);
     patient.offline = patient.offline && study.offline;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <QString>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -25,7 +27,7 @@ enum class StudyColumn {
 /// The studies of one patient, listed below each other.
 struct ListedPatient {
   std::vector<IndexedStudy> studies;  ///< never empty
-  int images = 0, warnings = 0;       ///< sums over the studies
+  int images = 0, warnings = 0;       ///< sums over the studies; -1 if the images of one are unknown
   std::string modalities;             ///< of all studies: "CT, MR", sorted
   std::string date;                   ///< of the latest study
   bool offline = false;               ///< true if all studies are
@@ -39,6 +41,9 @@ struct ListedPatient {
 struct StudyList {
   std::vector<IndexedStudy> recent;  ///< the last opened ones, the latest first
   std::vector<ListedPatient> patients;
+  /// Studies of an archive that are on this computer, too, with the number of their images here.
+  std::map<std::int64_t, int> here{};
+  QString notice{};  ///< a sentence on the list, such as that there may be more studies; may be empty
   bool operator==(const StudyList&) const = default;
 };
 

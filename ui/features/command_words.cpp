@@ -41,7 +41,7 @@ const std::map<QString, QString>& table() {
       {QStringLiteral("transferDock"), QObject::tr("transfer function volume rendering")},
       {QStringLiteral("keyImage"), QObject::tr("bookmark mark star favourite favorite")},
       {QStringLiteral("attributes"), QObject::tr("tags header metadata")},
-      {QStringLiteral("preferences"), QObject::tr("settings options configuration")},
+      {QStringLiteral("preferences"), QObject::tr("settings options configuration archive PACS")},
       {QStringLiteral("lightTheme"), QObject::tr("dark mode colours")},
       {QStringLiteral("documentation"), QObject::tr("help manual")},
       {QStringLiteral("shortcuts"), QObject::tr("help keyboard hotkeys")}};

@@ -165,7 +165,7 @@ void StudyListing::connectBrowser() {
   whenChanged(session_, browser_, &StudyBrowser::showNames, &Preferences::hideNames);
   // Other programs may have changed the list meanwhile.
   connect(qApp, &QGuiApplication::applicationStateChanged, this, [this](Qt::ApplicationState state) {
-    if (state == Qt::ApplicationActive) browser_->refresh();
+    if (state == Qt::ApplicationActive && !sources_.current().isRemote()) browser_->refresh();
   });
 }
 

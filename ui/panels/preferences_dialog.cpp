@@ -3,6 +3,7 @@
 #include <QFormLayout>
 #include <QMessageBox>
 
+#include "ui/panels/archives_dialog.h"
 #include "ui/panels/mouse_table.h"
 #include "ui/panels/sources.h"
 
@@ -63,6 +64,10 @@ void PreferencesDialog::addFields(QFormLayout& form) {
   flag(QStringLiteral("referenceEnds"), tr("Reference lines of their first and last slices"),
        &Preferences::referenceEnds);
   flag(QStringLiteral("hideNames"), tr("Hide names, IDs, dates and file names"), &Preferences::hideNames);
+  auto* archives = buttonOf<QPushButton>(QStringLiteral("editArchives"), tr("Edit archives..."),
+                                         [this] { (new ArchivesDialog(this))->open(); });
+  archives->setAutoDefault(false);
+  form.addRow(tr("Archives (PACS)"), archives);
 }
 
 void PreferencesDialog::askToRestore() {

@@ -16,7 +16,8 @@ namespace volumen {
 
 namespace {
 
-constexpr int askAfterMs = 60;          // delay after the last key
+constexpr int askAfterMs = 60, askRemoteAfterMs = 800;  // delay after the last key
+constexpr int sayBusyAfterMs = 300;
 constexpr std::size_t shortList = 100;  // most patients whose studies are shown without a click
 
 bool isReturn(const QKeyEvent& event) {
@@ -50,7 +51,10 @@ StudyBrowser::StudyBrowser(StudySources& sources, QWidget* parent)
        {static_cast<QWidget*>(search_), static_cast<QWidget*>(tree_), static_cast<QWidget*>(strip_)})
     watched->installEventFilter(this);
   ask_.setSingleShot(true);
-  ask_.setInterval(askAfterMs);
+  sayBusy_.setSingleShot(true);
+  sayBusy_.setInterval(sayBusyAfterMs);
+  connect(&sayBusy_, &QTimer::timeout, this,
+          [this] { showNotice(tr("Searching %1...").arg(sources_.current().name())); });
   connect(&ask_, &QTimer::timeout, this, &StudyBrowser::ask);
   connect(search_, &QLineEdit::textChanged, &ask_, qOverload<>(&QTimer::start));
   connect(model_, &StudyModel::seriesWanted, this,
@@ -71,10 +75,8 @@ void StudyBrowser::listen() {
   connect(source, &StudySource::listed, listening_.get(),
           [this](const StudyListRequest& request, const StudyListPtr& list) { showList(request, list); });
   connect(source, &StudySource::changed, listening_.get(), [this] { ask_.start(); });
-  connect(source, &StudySource::unavailable, listening_.get(), [this](const QString& sentence) {
-    setUsable(false);
-    showNotice(tr("The list of studies cannot be used: %1").arg(sentence));
-  });
+  connect(source, &StudySource::unavailable, listening_.get(),
+          [this](const QString& sentence) { showUnavailable(sentence); });
   connect(source, &StudySource::seriesListed, listening_.get(),
           [this](qint64 study, const SeriesListPtr& series) {
             model_->setSeries(study, series);
@@ -83,11 +85,16 @@ void StudyBrowser::listen() {
   connect(source, &StudySource::thumbnailMade, listening_.get(),
           [this](qint64 series, const QImage& thumbnail) { strip_->setThumbnail(series, thumbnail); });
   import_->setVisible(source->canImport());
+  ask_.setInterval(source->isRemote() ? askRemoteAfterMs : askAfterMs);
+  search_->setPlaceholderText(source->isRemote()
+                                  ? tr("Search by name, ID, accession number, date, modality or description")
+                                  : tr("Search by name, ID, date, institution, modality or description"));
 }
 
 // Clears everything that belongs to the previous source.
 void StudyBrowser::showSource() {
   listen();
+  setUsable(true);
   model_->setList(std::make_shared<const StudyList>(), sort_);
   strip_->showStudy(0, nullptr);
   showNotice({});
@@ -101,27 +108,45 @@ void StudyBrowser::refresh() { ask(); }
 void StudyBrowser::ask() {
   ask_.stop();
   asked_ = {search_->text().trimmed().toStdString(), sort_};
+  if (sources_.current().isRemote())
+    sayBusy_.start();
+  else
+    sayBusy_.stop();
   sources_.current().list(asked_);
+}
+
+// An archive may answer later, and has no studies for other words until then.
+void StudyBrowser::showUnavailable(const QString& sentence) {
+  sayBusy_.stop();
+  if (!sources_.current().isRemote()) {
+    setUsable(false);
+    return showNotice(tr("The list of studies cannot be used: %1").arg(sentence));
+  }
+  model_->setList(std::make_shared<const StudyList>(), sort_);
+  strip_->showStudy(0, nullptr);
+  showNotice(sentence);
 }
 
 // Restores selection and expanded rows, and expands a short list. Ignores answers to outdated requests.
 void StudyBrowser::showList(const StudyListRequest& request, const StudyListPtr& list) {
   if (request != asked_) return;
+  sayBusy_.stop();
   setUsable(true);
   const TreeState before = treeState(std::exchange(shown_, request).words == request.words);
   model_->setList(list, request.sort);
   restore(before);
   showSeriesOf(tree_->currentIndex());
-  if (!list->patients.empty())
-    showNotice({});
-  else if (shown_.words.empty())
-    showNotice(!sources_.current().canImport() ? tr("There are no studies here.")
-                                               : tr("No studies yet. Import a folder, or drop one here: it "
-                                                    "is read into this list, and the files "
-                                                    "stay where they are."));
-  else
-    showNotice(tr("No study has all of these words."));
+  showNotice(noticeOn(*list));
   Q_EMIT listChanged();
+}
+
+QString StudyBrowser::noticeOn(const StudyList& list) const {
+  if (!list.notice.isEmpty() || !list.patients.empty()) return list.notice;
+  if (!shown_.words.empty()) return tr("No study has all of these words.");
+  if (!sources_.current().canImport()) return tr("There are no studies here.");
+  return tr(
+      "No studies yet. Import a folder, or drop one here: it is read into this list, and the files stay "
+      "where they are.");
 }
 
 void StudyBrowser::setUsable(bool usable) {
@@ -282,6 +307,7 @@ bool StudyBrowser::searchKey(QKeyEvent* event) {
     return true;
   }
   if (!isReturn(*event)) return false;
+  if (sources_.current().isRemote()) return ask(), true;  // what is listed may be of other words
   openCurrent(event->modifiers() & Qt::ControlModifier);
   return true;
 }

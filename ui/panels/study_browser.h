@@ -21,7 +21,8 @@ class SeriesStrip;
 class StudyColumns;
 
 /// The studies of a source: a tree of patients, studies and series with search and sorting, and thumbnails of
-/// the chosen study. Shows the last answer of the source. With several sources, a box above chooses one.
+/// the chosen study. Shows the last answer of the source. With several sources, a box before the search line
+/// chooses one.
 class StudyBrowser : public QWidget {
   Q_OBJECT
  public:
@@ -35,7 +36,10 @@ class StudyBrowser : public QWidget {
   void startSearch();
   /// Clears the search.
   void clearSearch();
-  bool isEmpty() const { return model_->list().patients.empty() && shown_.words.empty(); }
+  /// Returns whether there is nothing to list here. Archives may have studies.
+  bool isEmpty() const {
+    return sources_.all().size() < 2 && model_->list().patients.empty() && shown_.words.empty();
+  }
 
  Q_SIGNALS:
   /// If `beside`, the series on screen stay.
@@ -72,6 +76,8 @@ class StudyBrowser : public QWidget {
   TreeState treeState(bool isSameSearch) const;
   void restore(const TreeState& state);
   void showSeriesOf(const QModelIndex& index);
+  void showUnavailable(const QString& sentence);
+  QString noticeOn(const StudyList& list) const;
   void showNotice(const QString& sentence);
   void activate(const QModelIndex& index);
   void open(const IndexedChoice& choice, bool isOffline, bool beside);
@@ -94,7 +100,7 @@ class StudyBrowser : public QWidget {
   QFrame* removedBar_;
   QLabel* removedText_;
   QPushButton* undo_;
-  QTimer ask_;
+  QTimer ask_, sayBusy_;
   StudySort sort_;
   StudyListRequest asked_, shown_;
   std::unique_ptr<QObject> listening_;  // receiver of the listed source's signals

@@ -18,7 +18,6 @@ void StudyBrowser::makeSourceBox() {
 
 QLayout* StudyBrowser::searchRow() {
   search_->setObjectName(QStringLiteral("browserSearch"));
-  search_->setPlaceholderText(tr("Search by name, ID, date, institution, modality or description"));
   search_->setAccessibleName(tr("Search all studies"));
   search_->setClearButtonEnabled(true);
   auto* hide = buttonOf(QStringLiteral("browserHide"), tr("Hide"), [this] { Q_EMIT hideRequested(); });

@@ -55,7 +55,7 @@ QString studyCell(const IndexedStudy& study, StudyColumn column) {
     case StudyColumn::images:
       break;
   }
-  return QLocale().toString(study.images);
+  return countText(study.images);
 }
 
 QString seriesCell(const IndexedSeries& series, StudyColumn column) {
@@ -77,7 +77,7 @@ QString seriesCell(const IndexedSeries& series, StudyColumn column) {
     case StudyColumn::images:
       break;
   }
-  return QLocale().toString(std::max(series.images, series.frames));
+  return countText(std::max(series.images, series.frames));
 }
 
 }  // namespace
@@ -245,7 +245,7 @@ int StudyModel::columnCount(const QModelIndex&) const { return int(StudyColumn::
 
 bool StudyModel::hasChildren(const QModelIndex& parent) const {
   if (parent.isValid() && parent.column() == 0 && kindOf(parent) == RowKind::study)
-    return studyAt(parent)->series > 0;
+    return studyAt(parent)->series != 0;
   return rowCount(parent) > 0;
 }
 
@@ -283,21 +283,29 @@ QString StudyModel::patientCell(const ListedPatient& patient, StudyColumn column
     case StudyColumn::images:
       break;
   }
-  return QLocale().toString(patient.images);
+  return countText(patient.images);
 }
 
 QString StudyModel::cell(const QModelIndex& index) const {
   const auto column = StudyColumn(index.column());
   if (isRecentGroup(index)) return column == StudyColumn::name ? tr("Opened last") : QString();
-  if (const ListedPatient* patient = patientAt(index)) return patientCell(*patient, column);
   if (const IndexedSeries* series = seriesAt(index)) return seriesCell(*series, column);
+  const ListedPatient* patient = patientAt(index);
   const IndexedStudy* study = kindOf(index) == RowKind::study ? studyAt(index) : nullptr;
-  return study ? studyCell(*study, column) : QString();
+  const QString text = patient ? patientCell(*patient, column)
+                       : study ? studyCell(*study, column)
+                               : QString();
+  return column == StudyColumn::name && isHere(index) ? tr("%1 (here)").arg(text) : text;
 }
 
 QString StudyModel::toolTip(const QModelIndex& index) const {
   if (const IndexedSeries* series = seriesAt(index)) return toolTipOf(everythingOf(*series));
-  if (const IndexedStudy* study = studyAt(index)) return toolTipOf(everythingOf(*study));
+  if (const IndexedStudy* study = studyAt(index)) {
+    QStringList lines = everythingOf(*study);
+    if (const auto here = list_->here.find(study->id); here != list_->here.end())
+      lines << tr("On this computer: %1 of its images").arg(countText(here->second));
+    return toolTipOf(lines);
+  }
   const ListedPatient* patient = patientAt(index);
   if (!patient) return {};
   const IndexedStudy& first = patient->studies.front();
@@ -310,6 +318,13 @@ bool StudyModel::isOffline(const QModelIndex& index) const {
   if (const ListedPatient* patient = patientAt(index)) return patient->offline;
   const IndexedStudy* study = studyAt(index);
   return study && study->offline;
+}
+
+// Returns whether a study, or each study of a patient, is on this computer, too.
+bool StudyModel::isHere(const QModelIndex& index) const {
+  const std::vector<std::int64_t> studies = studiesOf(index);
+  return !studies.empty() &&
+         std::ranges::all_of(studies, [&](std::int64_t study) { return list_->here.contains(study); });
 }
 
 QVariant StudyModel::data(const QModelIndex& index, int role) const {

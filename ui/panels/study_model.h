@@ -82,6 +82,7 @@ class StudyModel : public QAbstractItemModel {
   QString cell(const QModelIndex& index) const;
   QString toolTip(const QModelIndex& index) const;
   bool isOffline(const QModelIndex& index) const;
+  bool isHere(const QModelIndex& index) const;
 
   StudyListPtr list_ = std::make_shared<const StudyList>();
   StudySort sort_;

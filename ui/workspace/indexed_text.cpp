@@ -8,8 +8,6 @@ namespace volumen {
 
 namespace {
 
-QString counted(int count) { return QLocale().toString(count); }
-
 QString offlineText() {
   return tr(
       "Not there now: connect the disk or network folder that holds its files, or import the folder "
@@ -50,15 +48,19 @@ QString contentText(const IndexedSeries& series) {
   return parts.join(QStringLiteral(", "));
 }
 
+QString countText(int count) { return count < 0 ? QString() : QLocale().toString(count); }
+
 QString imagesText(const IndexedSeries& series) {
-  const QString images = series.images == 1 ? tr("1 image") : tr("%1 images").arg(counted(series.images));
-  return series.frames > series.images ? tr("%1, %2 frames").arg(images, counted(series.frames)) : images;
+  if (series.images < 0) return {};
+  const QString images = series.images == 1 ? tr("1 image") : tr("%1 images").arg(countText(series.images));
+  return series.frames > series.images ? tr("%1, %2 frames").arg(images, countText(series.frames)) : images;
 }
 
 QStringList everythingOf(const IndexedSeries& series) {
+  const bool isKnownAsFrames = !series.isVolume && series.frames >= 0;
   QStringList lines{seriesNameText(series) + QLatin1Char(' ') + shownText(series.modality),
                     contentText(series), imagesText(series),
-                    series.isVolume ? QString() : tr("Shown as frames, not in 3D"), dateText(series.date)};
+                    isKnownAsFrames ? tr("Shown as frames, not in 3D") : QString(), dateText(series.date)};
   if (!namesHidden()) lines << timeText(series.time);
   for (const std::string& warning : series.warnings) lines << QStringLiteral("! ") + shownText(warning);
   if (series.offline) lines << offlineText();
@@ -76,7 +78,8 @@ QStringList everythingOf(const IndexedStudy& study) {
   if (!namesHidden() && !study.accessionNumber.empty())
     lines << tr("Accession number %1").arg(shownText(study.accessionNumber));
   if (!namesHidden()) lines << shownText(study.institution);
-  lines << (study.series == 1 ? tr("1 series") : tr("%1 series").arg(counted(study.series)));
+  if (study.series >= 0)
+    lines << (study.series == 1 ? tr("1 series") : tr("%1 series").arg(countText(study.series)));
   lines << warningsText(study.warnings);
   if (study.offline) lines << offlineText();
   lines.removeAll(QString());
@@ -86,14 +89,14 @@ QStringList everythingOf(const IndexedStudy& study) {
 QString warningsText(int warnings) {
   if (warnings == 0) return {};
   return warnings == 1 ? tr("! 1 warning: hover over the series to read it")
-                       : tr("! %1 warnings: hover over the series to read them").arg(counted(warnings));
+                       : tr("! %1 warnings: hover over the series to read them").arg(countText(warnings));
 }
 
 QString importText(const ImportReport& report) {
   const int read = report.added + report.changed;
-  QStringList parts{read == 1 ? tr("1 image imported") : tr("%1 images imported").arg(counted(read))};
-  if (report.unchanged > 0) parts << tr("%1 were in the list already").arg(counted(report.unchanged));
-  if (report.gone > 0) parts << tr("%1 are no longer there and left the list").arg(counted(report.gone));
+  QStringList parts{read == 1 ? tr("1 image imported") : tr("%1 images imported").arg(countText(read))};
+  if (report.unchanged > 0) parts << tr("%1 were in the list already").arg(countText(report.unchanged));
+  if (report.gone > 0) parts << tr("%1 are no longer there and left the list").arg(countText(report.gone));
   const QString text = parts.join(QStringLiteral("; ")) + QLatin1Char('.');
   return report.cancelled ? tr("Import cancelled. %1 Import the folder again to go on.").arg(text) : text;
 }

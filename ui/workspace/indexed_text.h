@@ -22,7 +22,10 @@ QString seriesNameText(const IndexedSeries& series);
 /// Returns description and distinguishing label: "Chest 1.0 mm, 4 echoes".
 QString contentText(const IndexedSeries& series);
 
-/// Returns "120 images" or "1 image, 96 frames".
+/// Returns a number, or an empty text for -1: unknown.
+QString countText(int count);
+
+/// Returns "120 images" or "1 image, 96 frames"; empty if the number is unknown.
 QString imagesText(const IndexedSeries& series);
 
 /// Returns all known facts, one per line. Warnings and the reason why it cannot be opened come last.

@@ -44,15 +44,26 @@ PriorStep withNone(const PriorSearch& search) {
                           .arg(search.opened)};
   if (search.isUnread)
     return {.warned = search.after.empty()
-                          ? tr("The list of studies could not be read: it may hold an earlier study of this "
+                          ? tr("A list of studies could not be read: it may hold an earlier study of this "
                                "patient. Open one from its folder (Ctrl+O).")
-                          : tr("The list of studies could not be read: it may hold a later prior of this "
+                          : tr("A list of studies could not be read: it may hold a later prior of this "
                                "patient.")};
   if (search.after.empty())
     return {.warned = tr("No earlier study of this patient with such a series is open or in the list of "
                          "studies: open one from its folder (Ctrl+O), or import it (Ctrl+I).")};
   if (search.opened > 0) return {.told = tr("The later study of this patient holds no such series.")};
   return {};
+}
+
+// Keeps one copy of each study: one that is not offline, from the first source. Archives come after this
+// computer.
+void keepOneOfEach(std::deque<PriorCandidate>& candidates) {
+  std::ranges::stable_sort(
+      candidates, {}, [](const PriorCandidate& each) { return std::pair(each.study.offline, each.source); });
+  std::set<std::string> known;
+  std::erase_if(candidates, [&](const PriorCandidate& each) {
+    return !each.study.studyUid.empty() && !known.insert(each.study.studyUid).second;
+  });
 }
 
 PriorStep withNextOpened(PriorSearch search) {
@@ -114,6 +125,7 @@ PriorStep withAnswer(PriorSearch search, const Workspace& workspace, const std::
        unopenedPriors(series, answer.studies.value_or(std::vector<IndexedStudy>()), open, search.after))
     search.candidates.push_back({answer.source, study});
   if (!search.asked.empty()) return {search};
+  keepOneOfEach(search.candidates);
   std::ranges::stable_sort(search.candidates, std::greater(), [&](const PriorCandidate& each) {
     return std::pair(soundsLike(series, each.study), each.study.date);
   });

@@ -10,10 +10,10 @@ using namespace volumen::tests;
 namespace {
 
 const QString listUnread = QStringLiteral(
-                  "The list of studies could not be read: it may hold an earlier study of this patient. Open "
+                  "A list of studies could not be read: it may hold an earlier study of this patient. Open "
                   "one from its folder (Ctrl+O)."),
               unreadLater = QStringLiteral(
-                  "The list of studies could not be read: it may hold a later prior of this patient."),
+                  "A list of studies could not be read: it may hold a later prior of this patient."),
               later = QStringLiteral(
                   "The list of studies holds a later prior, of 2025-01-02: Alt+7 again opens it."),
               laterHoldsNone = QStringLiteral("The later study of this patient holds no such series."),
@@ -70,6 +70,16 @@ void TestPriorAnswers::severalSourcesAnswer_data() {
                                    {lists(1, {{of25}}), {asks}},
                                    {lists(0, {{of24}}), opensOf(of25, 1)},
                                    {missing(), opensOf(of24, 0)}});
+  row("a study of both is opened from the first", {{sources(2), {}},
+                                                   {compare(), {asks}},
+                                                   {lists(1, {{of25}, {of24}}), {asks}},
+                                                   {lists(0, {{of25}}), opensOf(of25, 0)},
+                                                   {missing(), opensOf(of24, 1)}});
+  row("a copy stands for files that are offline", {{sources(2), {}},
+                                                   {compare(), {asks}},
+                                                   {lists(0, {{of25, "Head", true}}), {asks}},
+                                                   {lists(1, {{of25}}), opensOf(of25, 1)},
+                                                   {read(of25), shows(of25)}});
   row("one cannot be read, the other has none",
       {{sources(2), {}}, {compare(), {asks}}, {unreadable(0), {asks}}, {lists(1, {}), {listUnread}}});
   row("one has none, the other cannot be read",
