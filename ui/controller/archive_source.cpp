@@ -184,12 +184,16 @@ void ArchiveSource::series(std::int64_t study) {
       },
       [this, study](Result<std::vector<IndexedSeries>> found) {
         if (!found) return Q_EMIT failed(QString::fromStdString(found.message()));
-        for (IndexedSeries& one : *found) one.id = series_.of(one.seriesUid);
-        const auto all = std::make_shared<const std::vector<IndexedSeries>>(
-            sortedSeries(std::move(*found), {StudyColumn::name, true}));
-        seriesOf_[study] = all;
-        Q_EMIT seriesListed(study, all);
+        takeSeries(study, std::move(*found));
       });
+}
+
+void ArchiveSource::takeSeries(std::int64_t study, std::vector<IndexedSeries> found) {
+  for (IndexedSeries& one : found) one.id = series_.of(one.seriesUid);
+  const auto all = std::make_shared<const std::vector<IndexedSeries>>(
+      sortedSeries(std::move(found), {StudyColumn::name, true}));
+  seriesOf_[study] = all;
+  Q_EMIT seriesListed(study, all);
 }
 
 // Who looks for priors goes on with other sources if this one is cancelled.

@@ -60,6 +60,7 @@ class ArchiveSource : public StudySource {
   std::vector<IndexedStudy> numbered(std::vector<IndexedStudy> studies);
   void takeAnswer(const std::string& words, Found found);
   void tellAnswer();
+  void takeSeries(std::int64_t study, std::vector<IndexedSeries> found);
 
   const Archive archive_;
   const std::string indexFolder_;

@@ -3,9 +3,12 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcdatset.h>
 #include <dcmtk/dcmdata/dcdeftag.h>
+#include <dcmtk/dcmdata/dcfilefo.h>
 
+#include <QDirIterator>
 #include <QJsonObject>
 
+#include "io/dicom/decode.h"
 #include "tests/unit/io/dicom_writer.h"
 
 namespace volumen::tests {
@@ -33,6 +36,31 @@ QStringList writeAllArchived(const QString& folder) {
   QStringList files;
   for (const ArchivedStudy& study : archivedStudies) files << writeArchived(folder, study, 1);
   return files << writeArchived(folder, archivedStudies[0], 2);
+}
+
+QStringList filesBelow(const QString& folder) {
+  QStringList files;
+  for (QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); all.hasNext();)
+    files << all.next();
+  return files;
+}
+
+Instance instanceIn(const QString& path) {
+  DcmFileFormat file;
+  if (file.loadFile(path.toStdString().c_str()).bad()) return {};
+  DcmDataset& data = *file.getDataset();
+  volumen::dicom::registerDecoders();
+  data.chooseRepresentation(EXS_LittleEndianExplicit, nullptr);
+  const auto text = [&](const DcmTagKey& tag) {
+    OFString value;
+    data.findAndGetOFStringArray(tag, value);
+    return std::string(value.c_str());
+  };
+  const Uint16* pixels = nullptr;
+  unsigned long count = 0;
+  data.findAndGetUint16Array(DCM_PixelData, pixels, &count);
+  return {text(DCM_SeriesInstanceUID), text(DCM_SOPInstanceUID), text(DCM_PatientName),
+          std::vector<unsigned short>(pixels, pixels + count)};
 }
 
 QStringList uidsOf(const QJsonArray& studies) {

@@ -3,6 +3,8 @@
 #include <QJsonArray>
 #include <QString>
 #include <QStringList>
+#include <string>
+#include <vector>
 
 namespace volumen::tests {
 
@@ -25,6 +27,19 @@ inline constexpr ArchivedStudy archivedStudies[] = {
 QString writeArchived(const QString& folder, const ArchivedStudy& study, int series);
 /// Writes all studies, and a second series of the first. Returns the paths.
 QStringList writeAllArchived(const QString& folder);
+
+/// Returns all files below a folder.
+QStringList filesBelow(const QString& folder);
+
+/// What a transfer must not change.
+struct Instance {
+  std::string seriesUid, uid, name;
+  std::vector<unsigned short> pixels;
+  bool operator==(const Instance&) const = default;
+};
+
+/// Returns the instance in a file, decompressed; an empty one if it cannot be read.
+Instance instanceIn(const QString& path);
 
 /// Returns the UIDs of studies in JSON, sorted.
 QStringList uidsOf(const QJsonArray& studies);

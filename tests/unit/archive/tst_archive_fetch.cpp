@@ -1,10 +1,6 @@
 // Guards `volumen archive fetch`: what a real archive (dcmqrscp) holds comes whole, once, and into the index.
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcdatset.h>
-#include <dcmtk/dcmdata/dcdeftag.h>
-#include <dcmtk/dcmdata/dcfilefo.h>
 
-#include <QDirIterator>
+#include <QDir>
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -24,6 +20,7 @@ class TestArchiveFetch : public QObject {
   void fetchedInstancesAreThoseOfTheArchive();
   void whatIsHereIsNotFetchedAgain();
   void aStudyIsFetchedIntoTheIndex();
+  void aStudyOfAnArchiveIsAPath();
   void whatCannotBeFetchedIsExplained_data();
   void whatCannotBeFetchedIsExplained();
 
@@ -33,40 +30,6 @@ class TestArchiveFetch : public QObject {
   QTemporaryDir folder_;
   QrPeer peer_;
 };
-
-namespace {
-
-QStringList filesBelow(const QString& folder) {
-  QStringList files;
-  for (QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); all.hasNext();)
-    files << all.next();
-  return files;
-}
-
-// What a transfer must not change.
-struct Instance {
-  std::string seriesUid, uid, name;
-  std::vector<Uint16> pixels;
-  bool operator==(const Instance&) const = default;
-};
-
-Instance instanceIn(const QString& path) {
-  DcmFileFormat file;
-  if (file.loadFile(path.toStdString().c_str()).bad()) return {};
-  DcmDataset& data = *file.getDataset();
-  const auto text = [&](const DcmTagKey& tag) {
-    OFString value;
-    data.findAndGetOFStringArray(tag, value);
-    return std::string(value.c_str());
-  };
-  const Uint16* pixels = nullptr;
-  unsigned long count = 0;
-  data.findAndGetUint16Array(DCM_PixelData, pixels, &count);
-  return {text(DCM_SeriesInstanceUID), text(DCM_SOPInstanceUID), text(DCM_PatientName),
-          std::vector<Uint16>(pixels, pixels + count)};
-}
-
-}  // namespace
 
 void TestArchiveFetch::initTestCase() {
   if (!QrPeer::isInstalled()) QSKIP("dcmqrscp is not installed (package dcmtk)");
@@ -126,6 +89,32 @@ void TestArchiveFetch::aStudyIsFetchedIntoTheIndex() {
       runProgram({QStringLiteral("list"), QStringLiteral("--index"), index, QStringLiteral("--json")});
   QCOMPARE(uidsOf(QJsonDocument::fromJson(listed.out)[QStringLiteral("studies")].toArray()),
            QStringList{QStringLiteral("1.2.3")});
+}
+
+// Each command fetches what "archive:NAME/STUDY[/SERIES]" names, and keeps it.
+void TestArchiveFetch::aStudyOfAnArchiveIsAPath() {
+  const QString config = folder_.filePath(QStringLiteral("config/volumen"));
+  QVERIFY(QDir().mkpath(config));
+  QVERIFY(QFile::copy(folder_.filePath(QStringLiteral("archives.json")),
+                      config + QStringLiteral("/archives.json")));
+  qputenv("XDG_CONFIG_HOME", folder_.filePath(QStringLiteral("config")).toUtf8());
+  qputenv("XDG_DATA_HOME", folder_.filePath(QStringLiteral("data")).toUtf8());
+  const auto info = [](const char* path) {
+    return runProgram({QStringLiteral("info"), QString::fromLatin1(path), QStringLiteral("--json")});
+  };
+  const Outcome study = info("archive:qr/1.2.1"), series = info("archive:qr/1.2.1/1.2.1.2");
+  const Outcome unknown = info("archive:qr/9.9"), noStudy = info("archive:qr"),
+                noArchive = info("archive:x/1");
+  const QStringList kept = filesBelow(folder_.filePath(QStringLiteral("data/volumen/fetched")));
+  qunsetenv("XDG_CONFIG_HOME");
+  qunsetenv("XDG_DATA_HOME");
+  QVERIFY2(study.status == 0 && study.out.contains("1.2.1.1") && study.out.contains("1.2.1.2"), study.err);
+  QVERIFY2(series.status == 0 && !series.out.contains("\"1.2.1.1\""), series.err);
+  QCOMPARE(kept.size(), 2);
+  QVERIFY2(unknown.status == 1 && unknown.err.contains("archive:qr/9.9: The archive \"qr\" lists no images"),
+           unknown.err);
+  QVERIFY2(noStudy.err.contains("archive:qr: name a study by its UID"), noStudy.err);
+  QVERIFY2(noArchive.err.contains("archive:x/1: There is no archive \"x\""), noArchive.err);
 }
 
 void TestArchiveFetch::whatCannotBeFetchedIsExplained_data() {
