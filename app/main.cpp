@@ -86,7 +86,7 @@ constexpr Entry commands[] = {
     {"info", "List patients, studies and series, with geometry and warnings", volumen::makeInfo, true},
     {"import", "Read studies into the index", volumen::makeImport},
     {"list", "List the studies of the index", volumen::makeList},
-    {"archive", "Search archives beside this machine (PACS), and fetch from them", volumen::makeArchive},
+    {"archive", "Search archives beside this machine (PACS), fetch from them, send to them, and receive", volumen::makeArchive},
     {"forget", "Take studies out of the index; their files stay", volumen::makeForget},
     {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert, true},
     {"segment", "Segment by a recipe or a value range, and measure", volumen::makeSegment, true},

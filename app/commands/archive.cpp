@@ -5,6 +5,7 @@
 #include <set>
 
 #include "app/command.h"
+#include "app/commands/archive_receive.h"
 #include "app/progress.h"
 #include "app/study_lines.h"
 #include "app/usage.h"
@@ -274,6 +275,20 @@ std::function<int()> makeArchive(CLI::App& app, const CancelToken& cancel) {
       ->required();
   sent->add_flag("--json", o->json, "Write one JSON object to stdout");
   addExamples(*sent, {"volumen archive send main scans/", "volumen archive send main index:12"});
+
+  CLI::App* receiving = addNested(
+      app, "receive", "Receive what peers send, until Ctrl-C", *o,
+      [o, &cancel] {
+        const auto all = archivesOf(*o);
+        return all ? receiveFromPeers(*all, {o->path(), o->folder, o->index, o->json}, cancel)
+                   : fail(all.message());
+      },
+      run);
+  receiving->add_option("-o,--output", o->folder, "Write to this folder, not into the index")
+      ->type_name("FOLDER");
+  addIndex(*receiving, o->index);
+  receiving->add_flag("--json", o->json, "Write one JSON object a line to stdout for each image");
+  addExamples(*receiving, {"volumen archive receive", "volumen archive receive -o received/ --json"});
   addExamples(app, {"volumen archive test main", "volumen archive query main smith ct"});
   return [run] { return (*run)(); };
 }

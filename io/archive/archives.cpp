@@ -1,5 +1,7 @@
 #include "io/archive/archives.h"
 
+#include <arpa/inet.h>
+
 #include <QUrl>
 #include <algorithm>
 #include <filesystem>
@@ -36,6 +38,11 @@ bool isUrl(const std::string& text) {
   const QUrl url(QString::fromStdString(text), QUrl::StrictMode);
   return url.isValid() && (url.scheme() == u"http" || url.scheme() == u"https") && !url.host().isEmpty() &&
          url.userInfo().isEmpty() && !url.hasQuery() && !url.hasFragment();
+}
+
+bool isIpv4(const std::string& address) {
+  in_addr parsed{};
+  return inet_pton(AF_INET, address.c_str(), &parsed) == 1;
 }
 
 }  // namespace
@@ -89,8 +96,24 @@ static void fields(Fields& f, Archive& archive) {
   archive.kind == ArchiveKind::dimse ? dimseFields(f, archive) : webFields(f, archive);
 }
 
+static void fields(Fields& f, Listening& listen) {
+  constexpr int mostPeers = 1000;
+  aeTitle(f, "ae", listen.ae);
+  f("port", listen.port, {1, 65535});
+  f("address", listen.address);
+  f.require("address", isIpv4(listen.address),
+            "must be an IPv4 address of this machine, or 0.0.0.0 for all of them");
+  f.texts("peers", listen.peers, mostPeers, "must be a list of up to 1000 AE titles");
+  for (std::size_t n = 0; n < listen.peers.size(); ++n)
+    if (const std::string problem = problemOfAeTitle(listen.peers[n]); !problem.empty())
+      f.refuse(f.pathOf("peers", n), problem);
+  f("mostAssociations", listen.mostAssociations, {1, 1000});
+  f("mostMegabytes", listen.mostMegabytes, {1, 1'000'000});
+}
+
 static void fields(Fields& f, Archives& all) {
   f("archives", all.archives);
+  f.unlessNone("listen", all.listen);
   for (std::size_t n = 0; n < all.archives.size(); ++n) {
     const auto same = [&](const Archive& a) { return a.name == all.archives[n].name; };
     if (std::count_if(all.archives.begin(), all.archives.end(), same) > 1)

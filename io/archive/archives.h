@@ -36,8 +36,20 @@ struct Archive {
   bool operator==(const Archive&) const = default;
 };
 
+/// Where and from whom this program takes instances that peers send (Storage SCP).
+struct Listening {
+  std::string ae = "VOLUMEN";  ///< our AE title; associations that call another one are rejected
+  int port = 11112;
+  std::string address = "127.0.0.1";  ///< IPv4 address of this machine; 0.0.0.0: all of them
+  std::vector<std::string> peers;     ///< AE titles that may send; empty: everyone
+  int mostAssociations = 16;          ///< open at once
+  int mostMegabytes = 4096;           ///< largest instance, millions of bytes
+  bool operator==(const Listening&) const = default;
+};
+
 struct Archives {
   std::vector<Archive> archives;
+  std::optional<Listening> listen;  ///< empty: volumen does not listen
   bool operator==(const Archives&) const = default;
 };
 

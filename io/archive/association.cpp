@@ -8,13 +8,10 @@
 #include <dcmtk/dcmnet/dimse.h>
 #include <dcmtk/dcmnet/dul.h>
 #include <dcmtk/dcmtls/tlslayer.h>
-#include <dcmtk/oflog/oflog.h>
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
-#include <mutex>
 
 #include "io/archive/association_private.h"
 
@@ -113,24 +110,6 @@ WantedService plainService(const std::string& sopClass) {
   return {sopClass, {UID_LittleEndianExplicitTransferSyntax, UID_LittleEndianImplicitTransferSyntax}};
 }
 
-namespace {
-
-std::mutex pipeMutex;
-int pipeUsers = 0;
-void (*pipeBefore)(int) = SIG_DFL;
-
-}  // namespace
-
-NoBrokenPipe::NoBrokenPipe() {
-  const std::lock_guard lock(pipeMutex);
-  if (pipeUsers++ == 0) pipeBefore = std::signal(SIGPIPE, SIG_IGN);
-}
-
-NoBrokenPipe::~NoBrokenPipe() {
-  const std::lock_guard lock(pipeMutex);
-  if (--pipeUsers == 0) std::signal(SIGPIPE, pipeBefore);
-}
-
 Association::Private::Private(Archive to, const CancelToken& cancel) : archive(std::move(to)) {
   watch.cancel = cancel;
   watch.silence = std::chrono::seconds(associationSeconds);
@@ -150,8 +129,6 @@ Association::Private::~Private() {
 }
 
 Status Association::Private::prepare() {
-  for (const char* logger : {"dcmtk.dcmnet", "dcmtk.dcmtls", "dcmtk.dcmdata"})
-    OFLog::getLogger(logger).setLogLevel(OFLogger::OFF_LOG_LEVEL);
   if (archive.tls) {
     tls = std::make_unique<DcmTLSTransportLayer>(NET_REQUESTOR, nullptr, OFTrue);
     if (Status s = withTls(*archive.tls, *tls); !s) return s;

@@ -7,7 +7,7 @@
 
 #include "io/archive/archives.h"
 #include "io/archive/instance_sink.h"
-#include "io/archive/instance_uids.h"
+#include "io/dicom/instance_uids.h"
 #include "viewer/volume/cancel.h"
 
 class DcmDataset;
@@ -46,7 +46,7 @@ class Association {
 
   /// Sends a file (C-STORE), decompressed if the archive takes no other. Returns a sentence on why the
   /// archive does not keep it; empty if it does.
-  Result<std::string> store(const InstanceUids& uids, const std::string& path);
+  Result<std::string> store(const dicom::InstanceUids& uids, const std::string& path);
 
   /// Retrieves all instances that match `keys` over this association (C-GET), each into a file with the bytes
   /// that the archive sends. Returns a sentence on why the archive sent nothing or not all; empty if it sent

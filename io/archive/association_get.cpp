@@ -1,12 +1,12 @@
 // Retrieval over one association (PS3.4 C.4.3, PS3.7 9.1.3).
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcdatset.h>
-#include <dcmtk/dcmdata/dcostrmf.h>
 
 #include <cstring>
 #include <limits>
 
 #include "io/archive/association_private.h"
+#include "io/archive/receive_data_set.h"
 
 namespace volumen {
 
@@ -53,7 +53,7 @@ class Retrieval {
         done = store(context, message.msg.CStoreRQ);
       } else if (message.CommandField == DIMSE_C_GET_RSP) {
         const T_DIMSE_C_GetRSP& response = message.msg.CGetRSP;
-        done = skipDataSet(response.DataSetType);
+        done = skipDataSet(association_, response.DataSetType);
         if (done.good() && response.DimseStatus != pending) {
           refusal = retrievalRefusal(response.DimseStatus);
           return done;
@@ -71,19 +71,13 @@ class Retrieval {
  private:
   static constexpr unsigned pending = 0xff00, outOfResources = 0xa700;
 
-  OFCondition skipDataSet(T_DIMSE_DataSetType type) {
-    if (type == DIMSE_DATASET_NULL) return EC_Normal;
-    DIC_UL bytes = 0, parts = 0;
-    return DIMSE_ignoreDataSet(association_, DIMSE_BLOCKING, 0, &bytes, &parts);
-  }
-
   OFCondition store(T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request) {
     OFCondition done = EC_Normal;
     const Result<std::string> path = problem_ ? sink_.begin() : problem_.error();
     if (path)
       done = receive(context, request, *path);
     else
-      refuse(path.error()), done = skipDataSet(request.DataSetType);
+      refuse(path.error()), done = skipDataSet(association_, request.DataSetType);
     if (done.bad()) return done;
     T_DIMSE_C_StoreRSP response{};
     response.MessageIDBeingRespondedTo = request.MessageID;
@@ -104,22 +98,10 @@ class Retrieval {
 
   OFCondition receive(T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request,
                       const std::string& path) {
-    DcmOutputFileStream* stream = nullptr;
-    OFCondition done =
-        DIMSE_createFilestream(OFFilename(path.c_str()), &request, association_, context, 1, &stream);
-    if (done.bad()) {
-      sink_.drop();
-      refuse({path + " cannot be written."});
-      return skipDataSet(request.DataSetType);
-    }
-    T_ASC_PresentationContextID dataContext = context;
-    done =
-        DIMSE_receiveDataSetInFile(association_, DIMSE_BLOCKING, 0, &dataContext, stream, nullptr, nullptr);
-    if (done.good()) stream->flush();
-    const bool isWritten = stream->status().good();
-    delete stream;
+    bool isWritten = false;
+    const OFCondition done = receiveDataSet(association_, context, request, path, isWritten);
     if (done.bad() || !isWritten) sink_.drop();
-    if (!isWritten) refuse({path + " cannot be written: is the disk full?"});
+    if (done.good() && !isWritten) refuse({path + " cannot be written: is the disk full?"});
     if (done.good() && isWritten)
       if (const Status s = sink_.end(request.AffectedSOPInstanceUID); !s) refuse(s.error());
     return done;

@@ -6,18 +6,10 @@
 #include <dcmtk/dcmtls/tlslayer.h>
 
 #include "io/archive/association.h"
+#include "io/archive/network_use.h"
 #include "io/archive/watched_transport.h"
 
 namespace volumen {
-
-/// As long as one exists, a connection that the peer has closed does not end the program (SIGPIPE).
-class NoBrokenPipe {
- public:
-  NoBrokenPipe();
-  ~NoBrokenPipe();
-  NoBrokenPipe(const NoBrokenPipe&) = delete;
-  NoBrokenPipe& operator=(const NoBrokenPipe&) = delete;
-};
 
 /// What the files of Association share.
 struct Association::Private {
@@ -39,7 +31,7 @@ struct Association::Private {
   T_ASC_Network* network = nullptr;
   T_ASC_Association* association = nullptr;
   bool associated = false, broken = false;
-  const NoBrokenPipe noBrokenPipe;
+  const NetworkUse use;
 };
 
 /// Returns a status as PS3.7 writes it: "A701".

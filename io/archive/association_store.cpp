@@ -38,7 +38,7 @@ const char* const plainSyntaxes[] = {UID_LittleEndianExplicitTransferSyntax,
 
 }  // namespace
 
-Result<std::string> Association::store(const InstanceUids& uids, const std::string& path) {
+Result<std::string> Association::store(const dicom::InstanceUids& uids, const std::string& path) {
   T_ASC_Association* const association = p_->association;
   const auto contextIn = [&](const char* syntax) {
     return ASC_findAcceptedPresentationContextID(association, uids.sopClass.c_str(), syntax);
@@ -46,7 +46,7 @@ Result<std::string> Association::store(const InstanceUids& uids, const std::stri
   DcmFileFormat file;
   if (file.loadFile(path.c_str()).bad()) return std::string("it cannot be read");
   DcmDataset* const data = file.getDataset();
-  if (DcmXfer(uids.transferSyntax.c_str()).getXfer() == EXS_Unknown)
+  if (!uids.transferSyntax.empty() && DcmXfer(uids.transferSyntax.c_str()).getXfer() == EXS_Unknown)
     return std::string("volumen sends no ") + nameOf(uids.transferSyntax) + " by DIMSE, but by DICOMweb";
   T_ASC_PresentationContextID context = contextIn(uids.transferSyntax.c_str());
   for (const char* plain : plainSyntaxes)
@@ -63,7 +63,7 @@ Result<std::string> Association::store(const InstanceUids& uids, const std::stri
   T_DIMSE_C_StoreRQ request{};
   request.MessageID = association->nextMsgID++;
   std::strncpy(request.AffectedSOPClassUID, uids.sopClass.c_str(), sizeof request.AffectedSOPClassUID - 1);
-  std::strncpy(request.AffectedSOPInstanceUID, uids.sopInstance.c_str(),
+  std::strncpy(request.AffectedSOPInstanceUID, uids.instance.c_str(),
                sizeof request.AffectedSOPInstanceUID - 1);
   request.DataSetType = DIMSE_DATASET_PRESENT;
   request.Priority = DIMSE_PRIORITY_MEDIUM;

@@ -10,6 +10,7 @@
 #include "io/archive/data_sets.h"
 #include "io/archive/protocol.h"
 #include "io/archive/send_dimse.h"
+#include "io/archive/stored_syntaxes.h"
 
 namespace volumen {
 
@@ -17,25 +18,6 @@ namespace {
 
 constexpr const char* findModel = UID_FINDStudyRootQueryRetrieveInformationModel;
 constexpr const char* getModel = UID_GETStudyRootQueryRetrieveInformationModel;
-
-// Transfer syntaxes in which instances are stored. In a list of several, archives choose an uncompressed one
-// and convert what they hold; so each is offered alone.
-const std::vector<std::string> storedSyntaxes{UID_JPEGLSLosslessTransferSyntax,
-                                              UID_JPEGLSLossyTransferSyntax,
-                                              UID_JPEG2000LosslessOnlyTransferSyntax,
-                                              UID_JPEG2000TransferSyntax,
-                                              UID_JPEGProcess14SV1TransferSyntax,
-                                              UID_JPEGProcess14TransferSyntax,
-                                              UID_JPEGProcess1TransferSyntax,
-                                              UID_JPEGProcess2_4TransferSyntax,
-                                              UID_RLELosslessTransferSyntax,
-                                              UID_DeflatedExplicitVRLittleEndianTransferSyntax,
-                                              UID_MPEG2MainProfileAtMainLevelTransferSyntax,
-                                              UID_MPEG2MainProfileAtHighLevelTransferSyntax,
-                                              UID_MPEG4HighProfileLevel4_1TransferSyntax,
-                                              UID_LittleEndianExplicitTransferSyntax,
-                                              UID_BigEndianExplicitTransferSyntax,
-                                              UID_LittleEndianImplicitTransferSyntax};
 
 // One context for the model and one for each class and syntax; there are 128.
 constexpr std::size_t mostClasses = 7;

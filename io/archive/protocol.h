@@ -7,7 +7,7 @@
 
 #include "io/archive/archives.h"
 #include "io/archive/instance_sink.h"
-#include "io/archive/instance_uids.h"
+#include "io/dicom/instance_uids.h"
 #include "viewer/volume/cancel.h"
 
 class DcmDataset;
@@ -30,7 +30,7 @@ struct WantedInstances {
 /// A file to be sent.
 struct SentInstance {
   std::string path;
-  InstanceUids uids;
+  dicom::InstanceUids uids;
 };
 
 using OnSent = std::function<void(std::size_t instance, const std::string& refusal)>;

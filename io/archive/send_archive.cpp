@@ -9,16 +9,20 @@ namespace volumen {
 
 namespace {
 
-std::vector<SentInstance> instancesIn(const std::vector<std::string>& files, SendReport& report) {
+std::vector<SentInstance> instancesIn(const std::vector<std::string>& files, const CancelToken& cancel,
+                                      SendReport& report) {
   std::vector<SentInstance> instances;
   std::set<std::string> known;
   for (const std::string& path : files) {
-    const auto uids = uidsIn(path);
+    if (cancel.cancelled()) break;
+    const auto uids = dicom::instanceUids(path);
     if (!uids)
       report.notDicom.push_back({path, fileName(path) + ": " + uids.message()});
+    else if (uids->instance.empty())
+      report.notDicom.push_back({path, fileName(path) + ": it holds no DICOM instance"});
     else if (uids->sopClass.empty())
       report.notDicom.push_back({path, fileName(path) + ": it does not say which kind of object it is"});
-    else if (known.insert(uids->sopInstance).second)
+    else if (known.insert(uids->instance).second)
       instances.push_back({path, *uids});
   }
   return instances;
@@ -29,8 +33,9 @@ std::vector<SentInstance> instancesIn(const std::vector<std::string>& files, Sen
 Result<SendReport> sendToArchive(const Archive& archive, const std::vector<std::string>& files,
                                  const Progress& progress, const CancelToken& cancel) {
   SendReport report;
-  const std::vector<SentInstance> instances = instancesIn(files, report);
+  const std::vector<SentInstance> instances = instancesIn(files, cancel, report);
   report.instances = int(instances.size());
+  if (cancel.cancelled()) return Error{"cancelled"};
   if (instances.empty()) return report;
   std::vector<bool> isAnswered(instances.size());
   std::size_t done = 0;

@@ -22,7 +22,7 @@ constexpr int mostFailures = 3;
 class Services {
  public:
   // Returns false if there is no room for those of this instance.
-  bool add(const InstanceUids& uids) {
+  bool add(const dicom::InstanceUids& uids) {
     std::set<std::string>& syntaxes = ofClass_[uids.sopClass];
     if (syntaxes.empty()) ++count_;
     if (syntaxes.insert(uids.transferSyntax).second) ++count_;

@@ -102,7 +102,7 @@ class Stow {
       });
     }
     for (std::size_t n = first; n < end; ++n) {
-      const std::string& uid = instances_[n].uids.sopInstance;
+      const std::string& uid = instances_[n].uids.instance;
       const auto why = refused.find(uid);
       if (kept.count(uid))
         onSent_(n, "");

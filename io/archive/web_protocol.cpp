@@ -10,7 +10,7 @@
 #include <set>
 
 #include "io/archive/data_sets.h"
-#include "io/archive/instance_uids.h"
+#include "io/dicom/instance_uids.h"
 #include "io/archive/multipart.h"
 #include "io/archive/protocol.h"
 #include "io/archive/send_web.h"
@@ -76,8 +76,8 @@ class InstanceParts : public PartSink {
   Status endPart() override {
     file_.close();
     if (!file_) return cannotWrite();
-    const auto uids = uidsIn(path_);
-    if (uids && wanted_.count(uids->sopInstance)) return sink_.end(uids->sopInstance);
+    const auto uids = dicom::instanceUids(path_);
+    if (uids && wanted_.count(uids->instance)) return sink_.end(uids->instance);
     sink_.drop();
     return {};
   }

@@ -27,7 +27,7 @@ class OutputFile {
   Status startGzip();
   /// Completes the file and renames it to its path.
   Status commit();
-  /// Completes the file and renames it to another path in the same folder, which is known only now.
+  /// Completes the file and renames it to another path on the same disk, which is known only now.
   Status commitAs(const std::string& path);
 
  private:

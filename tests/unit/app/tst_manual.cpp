@@ -22,10 +22,11 @@ using namespace volumen::tests;
 
 namespace {
 
-const char* const commands[] = {"open",          "render",   "slice",        "info",         "import",
-                                "list",          "archive",  "archive list", "archive test", "archive query",
-                                "archive fetch", "forget",   "convert",      "segment",      "compare",
-                                "measure",       "accuracy", "bench"};
+const char* const commands[] = {"open",         "render",        "slice",         "info",
+                                "import",       "list",          "archive",       "archive list",
+                                "archive test", "archive query", "archive fetch", "archive receive",
+                                "forget",       "convert",       "segment",       "compare",
+                                "measure",      "accuracy",      "bench"};
 
 /// Returns the manual page without markup.
 QString manual() {
@@ -180,7 +181,7 @@ void TestManual::examplesRun_data() {
 }
 
 // Runs examples in a folder with their files, at sizes that draw at once. There is no display for those that
-// open the window.
+// open the window, and nothing to listen at for those that receive.
 void TestManual::examplesRun() {
   QFETCH(QString, line);
   QStringList words = QProcess::splitCommand(line);
@@ -192,9 +193,11 @@ void TestManual::examplesRun() {
   if (words[0] == QLatin1String("accuracy") && !words.contains(QLatin1String("--knob")))
     words << QStringLiteral("--knob") << QStringLiteral("step") << QStringLiteral("--size")
           << QStringLiteral("32x32") << QStringLiteral("--frames") << QStringLiteral("1");
+  const bool receives = words.contains(QLatin1String("receive"));
   const Outcome a = runProgramIn(folder_.path(), words);
-  QVERIFY2(a.status == (opens ? 1 : 0), a.err);
+  QVERIFY2(a.status == (opens || receives ? 1 : 0), a.err);
   QCOMPARE(a.err.contains("No display"), opens);
+  QCOMPARE(a.err.contains("does not say where to listen"), receives);
 }
 
 VOLUMEN_TEST(TestManual);

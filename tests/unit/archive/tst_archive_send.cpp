@@ -136,7 +136,8 @@ void TestArchiveSend::instancesComeBackAsTheyWere() {
     QVERIFY(!back.isEmpty());
     for (const QString& file : back) {
       const Instance instance = instanceIn(file);
-      QVERIFY(instance == instanceIn(scans_ + u'/' + QString::fromStdString(instance.seriesUid) + u".dcm"));
+      QVERIFY(instance == instanceIn(scans_ + u'/' + QString::fromStdString(instance.seriesUid) +
+                                     QStringLiteral(".dcm")));
     }
   }
 }

@@ -76,6 +76,22 @@ void TestArchivesFile::problemsAreNamed_data() {
       "archives[0].tls.pin must have 64 hexadecimal digits");
   row("a certificate without its key", archiveWith(R"(, "tls": {"ca": "c", "certificate": "c"})"),
       "archives[0].tls.key and \"certificate\" belong together");
+  row("listening", R"({"listen": {}})", "");
+  row("all of listening",
+      R"({"listen": {"ae": "US", "port": 1, "address": "0.0.0.0", "peers": ["PACS"], "mostAssociations": 1,
+                     "mostMegabytes": 1}})",
+      "");
+  row("our AE title of 17 characters", R"({"listen": {"ae": "ABCDEFGHIJKLMNOPQ"}})",
+      "listen.ae must have at most 16 characters");
+  row("listening at port 65536", R"({"listen": {"port": 65536}})", "listen.port must be in 1 .. 65535");
+  row("listening at a name", R"({"listen": {"address": "localhost"}})",
+      "listen.address must be an IPv4 address of this machine, or 0.0.0.0 for all of them");
+  row("a peer that is no text", R"({"listen": {"peers": [1]}})",
+      "listen.peers must be a list of up to 1000 AE titles");
+  row("a peer of blanks", R"({"listen": {"peers": ["PACS", " "]}})",
+      "listen.peers[1] must be an AE title, not empty");
+  row("no association at all", R"({"listen": {"mostAssociations": 0}})",
+      "listen.mostAssociations must be in 1 .. 1000");
   row("an unknown field", archiveWith(R"(, "password": "secret")"), "archives[0].password");
 }
 
@@ -143,6 +159,7 @@ void TestArchivesFile::whatIsWrittenIsReadAgain() {
   full.name = "Düsseldorf 2", full.port = 11112, full.callingAe = "US", full.characterSet = "ISO_IR 100";
   full.tls = TlsSettings{std::string(64, 'a'), "ca.pem", "our.pem", "key.pem"};
   all.archives = {plain, full};
+  all.listen = Listening{"US", 104, "0.0.0.0", {"PACS", "CT 1"}, 4, 100};
   const auto read = parseArchives(archivesToJson(all));
   QVERIFY2(read.ok(), read.ok() ? "" : read.message().c_str());
   QVERIFY(*read == all);

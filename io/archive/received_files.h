@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <mutex>
+#include <string>
+
+#include "io/dicom/instance_uids.h"
+#include "io/files/output_file.h"
+
+namespace volumen {
+
+/// What became of an instance that a peer sent.
+struct Filed {
+  unsigned status = 0;  ///< answer to the peer (PS3.4 B.2.3, PS3.7 C): 0: it is on disk
+  std::string problem;  ///< why it is not, as the end of a sentence, without full stop
+  std::string path;
+  dicom::InstanceUids uids;
+  std::uint64_t bytes = 0;   ///< size of its file
+  bool alreadyHere = false;  ///< the same bytes were there before
+};
+
+/// Statuses of C-STORE: nothing can be written; the data set lacks what it must have, or cannot be read;
+/// another instance has its UID.
+inline constexpr unsigned outOfResources = 0xa700, lacksUids = 0xa900, notUnderstood = 0xc000,
+                          isDuplicate = 0x0111;
+
+/// A folder in which instances are filed as STUDY/SERIES/INSTANCE.dcm, each whole or not at all. The names
+/// are made of their UIDs (nameForUid()). Several threads may use it at once.
+class ReceivedFiles {
+ public:
+  /// `folder` must exist.
+  explicit ReceivedFiles(std::string folder) : folder_(std::move(folder)) {}
+
+  /// Creates a file for the next instance, which has no place yet.
+  Result<OutputFile> begin() const { return OutputFile::create(folder_ + "/instance.dcm"); }
+  /// Files a complete one by the UIDs in its data set, whatever its sender calls it. The instance is on disk
+  /// afterwards, or refused. Never replaces an instance that has other bytes.
+  Filed file(OutputFile& instance);
+
+ private:
+  Filed keep(OutputFile& instance, Filed filed);
+
+  const std::string folder_;
+  std::array<std::mutex, 64> places_;  // each guards some of the paths: peers may send one instance at once
+};
+
+}  // namespace volumen
