@@ -107,7 +107,7 @@ int receiveFromPeers(const Archives& archives, const ReceiveOptions& options, co
     if (!opened) return fail(opened.message());
     index.emplace(std::move(*opened));
   }
-  const std::string folder = options.folder.empty() ? fetchedFolder(options.index) : options.folder;
+  const std::string folder = options.folder.empty() ? fetchedFolder(indexFolderOr(options.index)) : options.folder;
   Arrivals arrivals;
   const ReceiveEvents events = eventsFor(*archives.listen, options.json, arrivals);
   // The index belongs to this thread, so another one listens.

@@ -49,7 +49,7 @@ struct Listening {
 
 struct Archives {
   std::vector<Archive> archives;
-  std::optional<Listening> listen;  ///< empty: volumen does not listen
+  std::optional<Listening> listen{};  ///< empty: volumen does not listen
   bool operator==(const Archives&) const = default;
 };
 

@@ -32,6 +32,20 @@ std::string nameOf(const std::string& uid) {
   return name ? name : uid;
 }
 
+// Returns the context for a class in a transfer syntax, 0 if there is none. DCMTK's own search falls back on
+// contexts in others.
+T_ASC_PresentationContextID acceptedContext(T_ASC_Association* association, const std::string& sopClass,
+                                            const char* syntax) {
+  for (int n = 0; n < ASC_countPresentationContexts(association->params); ++n) {
+    T_ASC_PresentationContext context;
+    if (ASC_getPresentationContext(association->params, n, &context).good() &&
+        context.resultReason == ASC_P_ACCEPTANCE && sopClass == context.abstractSyntax &&
+        std::strcmp(syntax, context.acceptedTransferSyntax) == 0)
+      return context.presentationContextID;
+  }
+  return 0;
+}
+
 const char* const plainSyntaxes[] = {UID_LittleEndianExplicitTransferSyntax,
                                      UID_LittleEndianImplicitTransferSyntax,
                                      UID_BigEndianExplicitTransferSyntax};
@@ -41,7 +55,7 @@ const char* const plainSyntaxes[] = {UID_LittleEndianExplicitTransferSyntax,
 Result<std::string> Association::store(const dicom::InstanceUids& uids, const std::string& path) {
   T_ASC_Association* const association = p_->association;
   const auto contextIn = [&](const char* syntax) {
-    return ASC_findAcceptedPresentationContextID(association, uids.sopClass.c_str(), syntax);
+    return acceptedContext(association, uids.sopClass, syntax);
   };
   DcmFileFormat file;
   if (file.loadFile(path.c_str()).bad()) return std::string("it cannot be read");

@@ -146,8 +146,10 @@ std::string nameForUid(const std::string& uid) {
   return hash.toHex().left(32).toStdString();
 }
 
+std::string fetchedFolder(const std::string& indexFolder) { return indexFolder + "/fetched"; }
+
 std::string fetchedFolder(const std::string& indexFolder, const std::string& studyUid) {
-  return indexFolder + "/fetched/" + nameForUid(studyUid);
+  return fetchedFolder(indexFolder) + "/" + nameForUid(studyUid);
 }
 
 std::string folderOf(const FetchRequest& request) {

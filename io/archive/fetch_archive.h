@@ -29,7 +29,8 @@ struct FetchReport {
 /// Returns a file name for a UID of an archive, which may hold anything: 32 hexadecimal digits.
 std::string nameForUid(const std::string& uid);
 
-/// Returns the folder for what archives send of a study, beside the index in `indexFolder`.
+/// Returns the folder for what archives send, beside the index in `indexFolder`, or that of one study in it.
+std::string fetchedFolder(const std::string& indexFolder);
 std::string fetchedFolder(const std::string& indexFolder, const std::string& studyUid);
 
 /// Returns the folder of a request's study or series.

@@ -18,6 +18,7 @@
 #include <thread>
 
 #include "io/archive/incoming_association.h"
+#include "io/archive/network_use.h"
 #include "io/files/private_folder.h"
 
 namespace volumen {
