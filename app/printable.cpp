@@ -83,7 +83,21 @@ std::string jsonText(const nlohmann::ordered_json& json) {
 
 namespace {
 
-constexpr std::string_view uriStart = "file://";
+constexpr std::string_view uriStart = "file://", linkStart = "volumen:";
+
+std::string percentDecoded(const std::string& text) {
+  std::string out;
+  for (std::size_t n = 0; n < text.size(); ++n) {
+    unsigned value = 0;
+    const std::string digits = text.substr(n + 1, 2);
+    const bool isEscape =
+        text[n] == '%' && digits.size() == 2 &&
+        std::from_chars(digits.data(), digits.data() + 2, value, 16).ptr == digits.data() + 2;
+    out += isEscape ? char(value) : text[n];
+    if (isEscape) n += 2;
+  }
+  return out;
+}
 
 bool isUtf8(std::string_view text) {
   while (!text.empty()) {
@@ -112,17 +126,11 @@ std::string pathForJson(const std::string& path) {
 }
 
 std::string pathOfArgument(const std::string& argument) {
-  if (!argument.starts_with(std::string(uriStart) + "/")) return argument;
-  std::string path;
-  for (std::size_t n = uriStart.size(); n < argument.size(); ++n) {
-    unsigned value = 0;
-    const auto digits = argument.substr(n + 1, 2);
-    const bool isEscape =
-        argument[n] == '%' && digits.size() == 2 &&
-        std::from_chars(digits.data(), digits.data() + 2, value, 16).ptr == digits.data() + 2;
-    path += isEscape ? char(value) : argument[n];
-    if (isEscape) n += 2;
-  }
+  const bool isLink = argument.starts_with(linkStart);
+  if (!isLink && !argument.starts_with(std::string(uriStart) + "/")) return argument;
+  const std::string path = percentDecoded(argument.substr(isLink ? linkStart.size() : uriStart.size()));
+  // Links come from anywhere: they name studies, and no files.
+  if (isLink && !path.starts_with("archive:") && !path.starts_with("index:")) return argument;
   return path.find('\0') == std::string::npos ? path : argument;
 }
 

@@ -22,7 +22,8 @@ std::string jsonText(const nlohmann::ordered_json& json);
 /// UTF-8.
 std::string pathForJson(const std::string& path);
 
-/// Returns the path of an argument: for a URI "file:///..." its path, else the argument itself.
+/// Returns the path of an argument: for a URI "file:///..." its path, for a link "volumen:archive:..." or
+/// "volumen:index:..." the study that it names, else the argument itself.
 std::string pathOfArgument(const std::string& argument);
 
 /// Makes all output of a stream printable() while this object lives; line ends stay.

@@ -143,6 +143,7 @@ Result<Archives> parseArchives(const std::string& json) {
   fields(f, archives);
   f.refuseOthers();
   if (!problem.empty()) return Error{problem};
+  for (Archive& archive : archives.archives) archive.listen = archives.listen;
   return archives;
 }
 

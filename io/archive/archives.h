@@ -19,23 +19,6 @@ struct TlsSettings {
   bool operator==(const TlsSettings&) const = default;
 };
 
-/// An archive of studies beside this machine (PACS). `name` is how a user calls it.
-struct Archive {
-  std::string name;
-  ArchiveKind kind = ArchiveKind::dimse;
-  std::optional<TlsSettings> tls;
-  // DIMSE
-  std::string host;
-  int port = 104;
-  std::string calledAe, callingAe = "VOLUMEN";  ///< AE titles of the archive and of this program
-  std::string characterSet;  ///< of answers that name none: a defined term of PS3.3 C.12.1.1.2
-  // DICOMweb
-  std::string url;  ///< of its services, without a slash at the end: "https://HOST/dicom-web"
-  std::string user, passwordCommand;  ///< basic authentication; the command prints the password
-  std::string tokenCommand;           ///< prints a bearer token
-  bool operator==(const Archive&) const = default;
-};
-
 /// Where and from whom this program takes instances that peers send (Storage SCP).
 struct Listening {
   std::string ae = "VOLUMEN";  ///< our AE title; associations that call another one are rejected
@@ -45,6 +28,24 @@ struct Listening {
   int mostAssociations = 16;          ///< open at once
   int mostMegabytes = 4096;           ///< largest instance, millions of bytes
   bool operator==(const Listening&) const = default;
+};
+
+/// An archive of studies beside this machine (PACS). `name` is how a user calls it.
+struct Archive {
+  std::string name;
+  ArchiveKind kind = ArchiveKind::dimse;
+  std::optional<TlsSettings> tls;
+  // DIMSE
+  std::string host;
+  int port = 104;
+  std::string calledAe, callingAe = "VOLUMEN";  ///< AE titles of the archive and of this program
+  std::string characterSet;           ///< of answers that name none: a defined term of PS3.3 C.12.1.1.2
+  std::optional<Listening> listen{};  ///< that of the list: where it can send to (C-MOVE)
+  // DICOMweb
+  std::string url;  ///< of its services, without a slash at the end: "https://HOST/dicom-web"
+  std::string user, passwordCommand;  ///< basic authentication; the command prints the password
+  std::string tokenCommand;           ///< prints a bearer token
+  bool operator==(const Archive&) const = default;
 };
 
 struct Archives {

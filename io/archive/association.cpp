@@ -221,8 +221,10 @@ Result<Association> Association::open(const Archive& archive, const std::vector<
   return Association(std::move(p));
 }
 
+bool Association::offers(const std::string& sopClass) const { return p_->contextOf(sopClass) != 0; }
+
 Status Association::echo() {
-  if (p_->contextOf(UID_VerificationSOPClass) == 0) return p_->says("offers no verification (C-ECHO)");
+  if (!offers(UID_VerificationSOPClass)) return p_->says("offers no verification (C-ECHO)");
   DIC_US status = 0;
   DcmDataset* detail = nullptr;
   const OFCondition done =

@@ -36,6 +36,9 @@ class Association {
   /// Releases the association, or aborts it after an error.
   ~Association();
 
+  /// Returns whether the archive offers a service.
+  bool offers(const std::string& sopClass) const;
+
   /// Verifies that the archive answers (C-ECHO).
   Status echo();
 
@@ -52,6 +55,10 @@ class Association {
   /// that the archive sends. Returns a sentence on why the archive sent nothing or not all; empty if it sent
   /// all. The Error: the sink's, or the connection's.
   Result<std::string> get(const std::string& model, DcmDataset& keys, InstanceSink& sink);
+
+  /// Has the archive send all instances that match `keys` to the AE title `destination`, over associations
+  /// that it makes (C-MOVE). Returns as get() does; "sent all" is what the archive says.
+  Result<std::string> move(const std::string& model, DcmDataset& keys, const std::string& destination);
 
  private:
   struct Private;

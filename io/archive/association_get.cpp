@@ -1,4 +1,4 @@
-// Retrieval over one association (PS3.4 C.4.3, PS3.7 9.1.3).
+// Retrieval (PS3.4 C.4.2 and C.4.3, PS3.7 9.1.3 and 9.1.4).
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcdatset.h>
 
@@ -12,7 +12,12 @@ namespace volumen {
 
 namespace {
 
-// Returns what a status of C-GET means (PS3.4 C.4.3.1.4), as the end of a sentence; empty if all was sent.
+constexpr std::uint64_t mostBytesOfAnswers = 64 << 20;
+// Some archives fetch from tapes before they send the first instance.
+constexpr std::chrono::minutes mostSilenceOfMove{10};
+
+// Returns what a status of C-GET or C-MOVE means (PS3.4 C.4.3.1.4), as the end of a sentence; empty if all
+// was sent.
 std::string retrievalRefusal(unsigned status) {
   switch (status) {
     case 0x0000:
@@ -23,7 +28,7 @@ std::string retrievalRefusal(unsigned status) {
     case 0xa702:
       return "has no resources to send them: try again";
     case 0xa801:
-      return "does not know where to send them";
+      return "does not know our AE title, or has no address for it";
     case 0xa900:
       return "does not understand the request (status A900)";
     case 0xfe00:
@@ -142,6 +147,30 @@ Result<std::string> Association::get(const std::string& model, DcmDataset& keys,
     return retrieval.problem() ? failure : retrieval.problem().error();
   }
   if (!retrieval.problem()) return retrieval.problem().error();
+  return refusal.empty() ? refusal : p_->says(refusal).message;
+}
+
+Result<std::string> Association::move(const std::string& model, DcmDataset& keys,
+                                      const std::string& destination) {
+  const T_ASC_PresentationContextID context = p_->contextOf(model);
+  if (context == 0) return p_->says("offers no retrieval (C-MOVE)").message;
+  T_DIMSE_C_MoveRQ request{};
+  request.MessageID = p_->association->nextMsgID++;
+  std::strncpy(request.AffectedSOPClassUID, model.c_str(), sizeof request.AffectedSOPClassUID - 1);
+  std::strncpy(request.MoveDestination, destination.c_str(), sizeof request.MoveDestination - 1);
+  request.DataSetType = DIMSE_DATASET_PRESENT;
+  request.Priority = DIMSE_PRIORITY_MEDIUM;
+  p_->watch.allow(mostBytesOfAnswers, std::chrono::hours(24));
+  p_->watch.silence = mostSilenceOfMove;
+  T_DIMSE_C_MoveRSP response{};
+  DcmDataset *detail = nullptr, *failed = nullptr;
+  const OFCondition done =
+      DIMSE_moveUser(p_->association, context, &request, &keys, nullptr, nullptr, DIMSE_BLOCKING, 0, nullptr,
+                     nullptr, nullptr, &response, &detail, &failed, OFTrue);
+  delete detail;
+  delete failed;
+  if (done.bad()) return p_->failure(done);
+  const std::string refusal = retrievalRefusal(response.DimseStatus);
   return refusal.empty() ? refusal : p_->says(refusal).message;
 }
 

@@ -8,6 +8,7 @@
 
 #include "io/archive/association.h"
 #include "io/archive/data_sets.h"
+#include "io/archive/move.h"
 #include "io/archive/protocol.h"
 #include "io/archive/send_dimse.h"
 #include "io/archive/stored_syntaxes.h"
@@ -101,8 +102,19 @@ class DimseProtocol : public ArchiveProtocol {
     return sendByDimse(archive_, instances, onSent, cancel_);
   }
 
+  // By C-GET, and what does not come so by C-MOVE.
   Status retrieve(const WantedInstances& wanted, InstanceSink& sink) override {
     finder_.reset();  // archives end what is idle
+    const Status got = getAll(wanted, sink);
+    if (got || cancel_.cancelled() || !archive_.listen) return got;
+    WantedInstances rest = wanted;
+    std::erase_if(rest.instances, [&](const ListedInstance& one) { return sink.has(one.uid); });
+    rest.isWhole = wanted.isWhole && rest.instances.size() == wanted.instances.size();
+    return rest.instances.empty() ? Status() : moveFromArchive(archive_, rest, sink, cancel_);
+  }
+
+ private:
+  Status getAll(const WantedInstances& wanted, InstanceSink& sink) {
     std::map<std::string, std::vector<std::string>> ofClass;
     for (const ListedInstance& one : wanted.instances) ofClass[one.sopClass].push_back(one.uid);
     std::vector<std::string> classes;
@@ -122,7 +134,6 @@ class DimseProtocol : public ArchiveProtocol {
     return problem;
   }
 
- private:
   // What does not come is asked for once more with the next services.
   Status retrieveClasses(const WantedInstances& wanted, std::vector<std::string> classes,
                          std::vector<std::string> uids, InstanceSink& sink) {
@@ -137,11 +148,19 @@ class DimseProtocol : public ArchiveProtocol {
       auto association = Association::open(archive_, services, cancel_);
       last = association ? get(*association, wanted, uids, isWhole, sink) : Status(association.error());
       if (cancel_.cancelled()) return Error{"cancelled"};
+      if (association && !association->offers(getModel)) return withoutGet();
       std::erase_if(uids, [&](const std::string& uid) { return sink.has(uid); });
       if (uids.empty()) return {};
       isWhole = false;
     }
     return last;
+  }
+
+  Error withoutGet() const {
+    return {"The archive \"" + archive_.name + "\" offers no retrieval over one association (C-GET)" +
+            (archive_.listen
+                 ? "."
+                 : ": add \"listen\" to the list of archives, so that it can send here (C-MOVE).")};
   }
 
   // Asks for a whole series at once, or by instance for what is missing.

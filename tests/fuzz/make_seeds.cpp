@@ -108,17 +108,27 @@ void imageFiles(const std::string& folder) {
     writeText(folder + "/other" + std::to_string(number), number + bytes.toStdString());
 }
 
+// The first byte says what fuzz_archive.cpp reads, and in which pieces.
+void webAnswers(const std::string& folder) {
+  writeText(folder + "/parts", "\x07--b\r\nContent-Length: 4\r\n\r\na\r\nb\r\n--b\r\n\r\n\r\n--b--\r\n");
+  writeText(folder + "/quoted",
+            "\x04multipart/related; type=\"application/dicom\"; boundary=\"0123456789abcdef\"\r\n");
+  writeText(folder + "/page", R"(0[{"0020000D": {"vr": "UI", "Value": ["1.2"]}, "00100010": {"vr": "PN",
+ "Value": [{"Alphabetic": "a^b", "Ideographic": "c"}]}, "00201208": {"Value": [12.5, "3", null]}}])");
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   const QCoreApplication app(argc, argv);
   if (argc != 2) return 2;
   const std::string root = argv[1];
-  for (const char* name : {"dicom", "codec", "answer", "image_file", "scene", "session"})
+  for (const char* name : {"dicom", "codec", "answer", "archive", "image_file", "scene", "session"})
     std::filesystem::create_directories(root + "/" + name);
   dicomFiles(root + "/dicom");
   codedFrames(root + "/dicom", root + "/codec");
   answers(root + "/dicom", root + "/answer");
+  webAnswers(root + "/archive");
   imageFiles(root + "/image_file");
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const std::string name = "/seed" + std::to_string(seed);

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Fuzzes what reads files, each driver for a while, from seeds that it makes and small files of the real data.
-# usage: bash tests/fuzz/run.sh [SECONDS] [DRIVER...]   SECONDS a driver: 600; DRIVER: dicom codec answer image_file scene session
+# usage: bash tests/fuzz/run.sh [SECONDS] [DRIVER...]   SECONDS a driver: 600; DRIVER: dicom codec answer archive image_file scene session
 # What was found lies in build/fuzz/found; exit status 1 where there is something.
 set -euo pipefail
 top=$(cd "$(dirname "$0")/../.." && pwd)
@@ -9,7 +9,7 @@ show_usage_if_asked "$0" "${1:-}"
 seconds=${1:-600}
 shift || true
 drivers=("$@")
-[ ${#drivers[@]} -gt 0 ] || drivers=(dicom codec answer image_file scene session)
+[ ${#drivers[@]} -gt 0 ] || drivers=(dicom codec answer archive image_file scene session)
 
 install_packages "${build_packages[@]}" "${run_packages[@]}" clang libclang-rt-14-dev
 built=$top/build/fuzz

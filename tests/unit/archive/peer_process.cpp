@@ -14,7 +14,7 @@ NetworkTCPPort  = %1
 MaxPDUSize      = 131072
 MaxAssociations = 16
 HostTable BEGIN
-me = (VOLUMEN, 127.0.0.1, 11113)
+me = (VOLUMEN, 127.0.0.1, %3)
 HostTable END
 VendorTable BEGIN
 VendorTable END
@@ -43,7 +43,7 @@ int freePort() {
 
 bool QrPeer::isInstalled() { return !QStandardPaths::findExecutable(QStringLiteral("dcmqrscp")).isEmpty(); }
 
-QrPeer::QrPeer() : port_(freePort()) {}
+QrPeer::QrPeer() : port_(freePort()), ourPort_(freePort()) {}
 
 QrPeer::~QrPeer() {
   process_.kill();
@@ -54,16 +54,17 @@ void QrPeer::add(const QStringList& files) {
   QProcess::execute(QStringLiteral("dcmqridx"), QStringList{folder_.path()} + files);
 }
 
-bool QrPeer::start() {
+bool QrPeer::start(const QStringList& options) {
   const QString path = folder_.filePath(QStringLiteral("qr.cfg"));
   QFile file(path);
   if (!file.open(QIODevice::WriteOnly)) return false;
-  file.write(QString::fromLatin1(configuration).arg(port_).arg(folder_.path()).toUtf8());
+  file.write(QString::fromLatin1(configuration).arg(port_).arg(folder_.path()).arg(ourPort_).toUtf8());
   file.close();
   // Its warnings would fill a pipe that nobody reads.
   process_.setStandardOutputFile(QProcess::nullDevice());
   process_.setStandardErrorFile(QProcess::nullDevice());
-  process_.start(QStringLiteral("dcmqrscp"), {QStringLiteral("-c"), path, QStringLiteral("+xt")});
+  process_.start(QStringLiteral("dcmqrscp"),
+                 QStringList{QStringLiteral("-c"), path, QStringLiteral("+xt")} + options);
   return listensAt(port_);
 }
 

@@ -24,14 +24,16 @@ class QrPeer {
   ~QrPeer();
 
   void add(const QStringList& files);
-  /// Starts it. Returns whether it listens within a few seconds.
-  bool start();
+  /// Starts it with more options. Returns whether it listens within a few seconds.
+  bool start(const QStringList& options = {});
   int port() const { return port_; }
+  /// Returns the port of this machine to which it sends for the AE title VOLUMEN.
+  int ourPort() const { return ourPort_; }
 
  private:
   QTemporaryDir folder_;
   QProcess process_;
-  const int port_;
+  const int port_, ourPort_;
 };
 
 /// A peer that is no archive: `answer` gets each connection, one after the other.

@@ -1,5 +1,4 @@
 // Guards `volumen archive fetch`: what a real archive (dcmqrscp) holds comes whole, once, and into the index.
-
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -103,6 +102,7 @@ void TestArchiveFetch::aStudyOfAnArchiveIsAPath() {
     return runProgram({QStringLiteral("info"), QString::fromLatin1(path), QStringLiteral("--json")});
   };
   const Outcome study = info("archive:qr/1.2.1"), series = info("archive:qr/1.2.1/1.2.1.2");
+  const Outcome link = info("volumen:archive:qr/1.2.1%2F1.2.1.2"), file = info("volumen:/etc/hosts");
   const Outcome unknown = info("archive:qr/9.9"), noStudy = info("archive:qr"),
                 noArchive = info("archive:x/1");
   const QStringList kept = filesBelow(folder_.filePath(QStringLiteral("data/volumen/fetched")));
@@ -111,6 +111,8 @@ void TestArchiveFetch::aStudyOfAnArchiveIsAPath() {
   QVERIFY2(study.status == 0 && study.out.contains("1.2.1.1") && study.out.contains("1.2.1.2"), study.err);
   QVERIFY2(series.status == 0 && !series.out.contains("\"1.2.1.1\""), series.err);
   QCOMPARE(kept.size(), 2);
+  QCOMPARE(link.out, series.out);
+  QVERIFY2(file.status == 1 && file.err.contains("volumen:/etc/hosts"), file.err);
   QVERIFY2(unknown.status == 1 && unknown.err.contains("archive:qr/9.9: The archive \"qr\" lists no images"),
            unknown.err);
   QVERIFY2(noStudy.err.contains("archive:qr: name a study by its UID"), noStudy.err);

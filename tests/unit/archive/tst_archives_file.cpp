@@ -160,6 +160,7 @@ void TestArchivesFile::whatIsWrittenIsReadAgain() {
   full.tls = TlsSettings{std::string(64, 'a'), "ca.pem", "our.pem", "key.pem"};
   all.archives = {plain, full};
   all.listen = Listening{"US", 104, "0.0.0.0", {"PACS", "CT 1"}, 4, 100};
+  for (Archive& archive : all.archives) archive.listen = all.listen;
   const auto read = parseArchives(archivesToJson(all));
   QVERIFY2(read.ok(), read.ok() ? "" : read.message().c_str());
   QVERIFY(*read == all);

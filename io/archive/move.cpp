@@ -1,0 +1,108 @@
+#include "io/archive/move.h"
+
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcuid.h>
+
+#include <QTemporaryDir>
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <future>
+#include <set>
+
+#include "io/archive/association.h"
+#include "io/archive/data_sets.h"
+#include "io/archive/receive_archive.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr const char* moveModel = UID_MOVEStudyRootQueryRetrieveInformationModel;
+constexpr std::chrono::milliseconds glance{20};
+
+// Listens while an archive sends, and hands on what was asked for.
+class MoveReception {
+ public:
+  MoveReception(const Listening& listening, const WantedInstances& wanted, InstanceSink& sink)
+      : listening_(listening), sink_(sink) {
+    for (const ListedInstance& one : wanted.instances) wanted_.insert(one.uid);
+  }
+  ~MoveReception() { stop(); }
+
+  // The Error: the port or the disk cannot be used.
+  Status start() {
+    auto path = sink_.begin();
+    if (!path) return path.error();
+    sink_.drop();
+    // What comes is renamed, so it must be on the same disk.
+    const auto beside = std::filesystem::path(*path).parent_path() / "incoming-XXXXXX";
+    folder_ = std::make_unique<QTemporaryDir>(QString::fromStdString(beside.string()));
+    const ReceiveEvents events{
+        [this] { isListening_ = true; }, [this](const Received& one) { take(one); }, {}};
+    running_ = std::async(std::launch::async, [this, events] {
+      return receiveInstances(listening_, folder_->path().toStdString(), events, end_);
+    });
+    while (!isListening_)
+      if (running_.wait_for(glance) == std::future_status::ready) return running_.get().error();
+    return {};
+  }
+
+  void stop() {
+    end_.cancel();
+    if (running_.valid()) running_.wait();
+  }
+
+ private:
+  void take(const Received& one) {
+    if (!wanted_.count(one.sopInstanceUid) || sink_.has(one.sopInstanceUid)) return;
+    const auto path = sink_.begin();
+    std::error_code failed;
+    if (path) std::filesystem::rename(one.path, *path, failed);
+    if (!path || failed || !sink_.end(one.sopInstanceUid)) sink_.drop();
+  }
+
+  const Listening& listening_;
+  InstanceSink& sink_;
+  std::set<std::string> wanted_;
+  std::unique_ptr<QTemporaryDir> folder_;
+  std::atomic<bool> isListening_{false};
+  const CancelToken end_;
+  std::future<Result<ReceiveReport>> running_;
+};
+
+Status ask(Association& association, const WantedInstances& wanted, const std::string& destination) {
+  DcmDataset keys = keysAt(wanted.isWhole ? "SERIES" : "IMAGE", wanted.studyUid);
+  putKey(keys, DCM_SeriesInstanceUID, wanted.seriesUid);
+  if (wanted.isWhole) return ended(association.move(moveModel, keys, destination));
+  constexpr std::size_t atOnce = 100;
+  for (std::size_t first = 0; first < wanted.instances.size(); first += atOnce) {
+    std::string list;
+    for (std::size_t n = first; n < std::min(wanted.instances.size(), first + atOnce); ++n)
+      list += (list.empty() ? "" : "\\") + wanted.instances[n].uid;
+    putKey(keys, DCM_SOPInstanceUID, list);
+    if (Status s = ended(association.move(moveModel, keys, destination)); !s) return s;
+  }
+  return {};
+}
+
+}  // namespace
+
+Status moveFromArchive(const Archive& archive, const WantedInstances& wanted, InstanceSink& sink,
+                       const CancelToken& cancel) {
+  const Listening& listening = *archive.listen;
+  auto association = Association::open(archive, {plainService(moveModel)}, cancel);
+  if (!association) return association.error();
+  MoveReception reception(listening, wanted, sink);
+  if (Status s = reception.start(); !s) return s;
+  const Status moved = ask(*association, wanted, listening.ae);
+  reception.stop();
+  const bool isAll =
+      std::ranges::all_of(wanted.instances, [&](const ListedInstance& one) { return sink.has(one.uid); });
+  if (isAll) return {};
+  return Error{(moved ? "The archive \"" + archive.name + "\" did not send all." : moved.message()) +
+               " It must know the AE title " + listening.ae + " at this machine's address, port " +
+               std::to_string(listening.port) + "."};
+}
+
+}  // namespace volumen
