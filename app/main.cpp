@@ -19,7 +19,7 @@
 #include "app/startable_threads.h"
 #include "app/usage.h"
 #include "io/frame_limit.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/worker/worker.h"
 #include "viewer/volume/available_memory.h"
 

@@ -5,7 +5,7 @@
 
 #include "app/command.h"
 #include "app/progress.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/load.h"
 #include "io/study/choose.h"
 #include "io/zip_archive.h"

@@ -13,7 +13,7 @@
 #include "io/archive/fetch_archive.h"
 #include "io/archive/search_archive.h"
 #include "io/archive/send_archive.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 
 namespace volumen {
 

@@ -11,7 +11,7 @@
 #include "io/files/header_text.h"
 #include "io/files/output_file.h"
 #include "io/files/write_volume.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/load.h"
 
 namespace volumen {

@@ -11,7 +11,7 @@
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/usage.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/load.h"
 #include "io/study/iso_date.h"
 #include "io/study/study.h"

@@ -9,7 +9,7 @@
 #include "app/segment_numbers.h"
 #include "app/usage.h"
 #include "io/frames.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/regular_file.h"
 #include "io/study/frame_series.h"
 #include "results/numbers/segment_report.h"

@@ -14,7 +14,7 @@
 #include "app/command.h"
 #include "app/usage.h"
 #include "io/files/private_folder.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "results/pictures/scene_files.h"
 #include "ui/british.h"
 #include "ui/main_window.h"

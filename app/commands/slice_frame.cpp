@@ -14,7 +14,7 @@
 #include "app/picture_output.h"
 #include "app/report_files.h"
 #include "io/frames.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/study/choose.h"
 #include "results/pictures/paint_graphics.h"
 

@@ -2,7 +2,7 @@
 // it is loading, what is seen small is right and what is seen large, and said, are the pixels of the file.
 #include <QLabel>
 
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/study/frame_series.h"
 #include "io/thumbnail.h"
 #include "tests/ui/frames_window.h"

@@ -5,7 +5,7 @@
 #include <QFileInfo>
 
 #include "io/curved.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "tests/ui/session_folder.h"
 #include "tests/ui/test_series.h"
 #include "tests/unit/suite.h"

@@ -3,7 +3,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/study/frame_series.h"
 #include "results/series/loaded_frame.h"
 #include "tests/ui/frames_window.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "io/curved.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/load.h"
 #include "io/open.h"
 #include "results/text/text.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "io/curved.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "results/text/text.h"
 #include "ui/controller/find_saved.h"
 #include "ui/data/picture_stacks.h"

@@ -8,7 +8,7 @@
 
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/open.h"
 #include "io/zip_archive.h"
 #include "results/segments/segment_maps.h"

@@ -13,7 +13,7 @@
 #include "io/file_state.h"
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 #include "io/load.h"
 #include "results/text/text.h"
 #include "ui/controller/label_changes.h"

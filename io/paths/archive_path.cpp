@@ -1,4 +1,4 @@
-#include "io/archive/archive_path.h"
+#include "io/paths/archive_path.h"
 
 #include "io/archive/fetch_archive.h"
 #include "io/index/index.h"

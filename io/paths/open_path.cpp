@@ -1,10 +1,10 @@
-#include "io/index/index_path.h"
+#include "io/paths/open_path.h"
 
 #include <filesystem>
 
-#include "io/archive/archive_path.h"
 #include "io/index/index.h"
 #include "io/open.h"
+#include "io/paths/archive_path.h"
 #include "io/phantom.h"
 #include "io/qt_application.h"
 #include "io/walk.h"
