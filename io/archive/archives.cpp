@@ -164,7 +164,9 @@ Result<Archives> readArchives(const std::string& path) {
 }
 
 std::string noArchives(const std::string& path) {
-  return "No archive is set up: add one to " + path + " (man volumen, ARCHIVES).";
+  return "No archive is set up: add one to " + path +
+         " (man volumen, ARCHIVES). To try one here: apt install orthanc "
+         "(resources/docs/archives.md).";
 }
 
 Result<Archive> archiveNamed(const Archives& archives, const std::string& name, const std::string& path) {

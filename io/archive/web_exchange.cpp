@@ -65,8 +65,9 @@ class Request {
     QObject::connect(reply, &QNetworkReply::metaDataChanged, &loop, [this] { progress(); });
     QObject::connect(reply, &QNetworkReply::uploadProgress, &loop, [this] { progress(); });
     QObject::connect(reply, &QNetworkReply::readyRead, &loop, [this] { take(); });
-    QObject::connect(reply, &QNetworkReply::sslErrors, &loop, [this] { comparePin(true); });
-    QObject::connect(reply, &QNetworkReply::encrypted, &loop, [this] { comparePin(false); });
+    QObject::connect(reply, &QNetworkReply::sslErrors, &loop,
+                     [this](const QList<QSslError>& errors) { judge(errors); });
+    QObject::connect(reply, &QNetworkReply::encrypted, &loop, [this] { judge({}); });
     QObject::connect(reply, &QNetworkReply::finished, &loop, &QEventLoop::quit);
     QObject::connect(&timer, &QTimer::timeout, &loop, [this] { watch(); });
     timer.start(lookEvery);
@@ -97,12 +98,18 @@ class Request {
   }
 
   // The pin says more than authorities do.
-  void comparePin(bool isDoubtful) {
-    if (!archive_.tls || archive_.tls->pin.empty()) return;
-    const std::string pin = QByteArray::fromStdString(archive_.tls->pin).toLower().toStdString();
-    const std::string own = sha256Of(reply_->sslConfiguration().peerCertificate());
-    if (own != pin) return end(says("has another certificate than the pinned one: its SHA-256 is " + own));
-    if (isDoubtful) reply_->ignoreSslErrors();
+  void judge(const QList<QSslError>& doubts) {
+    if (archive_.tls && !archive_.tls->pin.empty()) {
+      const std::string pin = QByteArray::fromStdString(archive_.tls->pin).toLower().toStdString();
+      const std::string own = sha256Of(reply_->sslConfiguration().peerCertificate());
+      if (own != pin) return end(says("has another certificate than the pinned one: its SHA-256 is " + own));
+      reply_->ignoreSslErrors();
+    } else if (!doubts.isEmpty()) {
+      const std::string by = archive_.tls && !archive_.tls->ca.empty() ? archive_.tls->ca : "this machine";
+      const std::string why = doubts.front().errorString().toStdString();
+      end(says("has a certificate that " + by +
+               " does not vouch for: " + why.substr(0, why.find_last_not_of('.') + 1)));
+    }
   }
 
   WebAnswer answer() const {

@@ -1,5 +1,6 @@
 // Guards `volumen archive` over TLS: whom it trusts, and what it says of others.
 #include <QCryptographicHash>
+#include <QDir>
 #include <QFile>
 #include <QProcess>
 #include <QSslCertificate>
@@ -18,16 +19,23 @@ class TestArchiveTls : public QObject {
   void initTestCase();
   void onlyTheRightPeerIsTrusted_data();
   void onlyTheRightPeerIsTrusted();
+  void onlyTheRightWebPeerIsTrusted_data();
+  void onlyTheRightWebPeerIsTrusted();
   void cleanupTestCase();
 
  private:
   QString in(const char* name) const { return folder_.filePath(QLatin1String(name)); }
+  // Tests an archive, and compares what is said with the row's sentence.
+  void compare(const QString& fields, QString tls);
   bool makeCertificate(const char* certificate, const char* key);
   bool listen(QProcess& peer, int port, const QStringList& more);
+  bool serve(QProcess& peer, int port, const QStringList& more);
 
   QTemporaryDir folder_;
-  QProcess open_, closed_;  // the latter wants our certificate
-  const int openPort_ = freePort(), closedPort_ = freePort();
+  // By DIMSE and by HTTP. The closed ones want our certificate.
+  QProcess open_, closed_, webOpen_, webClosed_;
+  const int openPort_ = freePort(), closedPort_ = freePort(), webOpenPort_ = freePort(),
+            webClosedPort_ = freePort();
   QByteArray pin_;
 };
 
@@ -47,6 +55,19 @@ bool TestArchiveTls::listen(QProcess& peer, int port, const QStringList& more) {
   return peer.waitForStarted() && listensAt(port);
 }
 
+// openssl serves files: one is the answer to the test of a DICOMweb archive.
+bool TestArchiveTls::serve(QProcess& peer, int port, const QStringList& more) {
+  peer.setWorkingDirectory(in("web"));
+  peer.setStandardOutputFile(QProcess::nullDevice());
+  peer.setStandardErrorFile(QProcess::nullDevice());
+  peer.start(QStringLiteral("openssl"),
+             QStringList{QStringLiteral("s_server"), QStringLiteral("-HTTP"), QStringLiteral("-accept"),
+                         QString::number(port), QStringLiteral("-key"), in("key.pem"),
+                         QStringLiteral("-cert"), in("cert.pem")} +
+                 more);
+  return peer.waitForStarted() && listensAt(port);
+}
+
 void TestArchiveTls::initTestCase() {
   for (const char* program : {"openssl", "storescp"})
     if (QStandardPaths::findExecutable(QLatin1String(program)).isEmpty())
@@ -61,10 +82,19 @@ void TestArchiveTls::initTestCase() {
   QCOMPARE(pin_.size(), 64);
   QVERIFY(listen(open_, openPort_, {QStringLiteral("-ic")}));
   QVERIFY(listen(closed_, closedPort_, {QStringLiteral("+cf"), in("our.pem")}));
+  QVERIFY(QDir().mkpath(in("web/dicom-web")));
+  QFile answer(in("web/dicom-web/studies?limit=1"));
+  QVERIFY(answer.open(QIODevice::WriteOnly));
+  answer.write("HTTP/1.0 200 OK\r\nContent-Type: application/dicom+json\r\nContent-Length: 2\r\n\r\n[]");
+  answer.close();
+  QVERIFY(serve(webOpen_, webOpenPort_, {}));
+  QVERIFY(serve(webClosed_, webClosedPort_,
+                {QStringLiteral("-Verify"), QStringLiteral("1"), QStringLiteral("-verify_return_error"),
+                 QStringLiteral("-CAfile"), in("our.pem")}));
 }
 
 void TestArchiveTls::cleanupTestCase() {
-  for (QProcess* peer : {&open_, &closed_}) peer->kill(), peer->waitForFinished();
+  for (QProcess* peer : {&open_, &closed_, &webOpen_, &webClosed_}) peer->kill(), peer->waitForFinished();
 }
 
 void TestArchiveTls::onlyTheRightPeerIsTrusted_data() {
@@ -93,21 +123,63 @@ void TestArchiveTls::onlyTheRightPeerIsTrusted_data() {
       "FOLDER/key.pem is not the key of FOLDER/our.pem.");
 }
 
+void TestArchiveTls::onlyTheRightWebPeerIsTrusted_data() {
+  QTest::addColumn<QString>("url");  // OPEN and CLOSED are replaced by ports
+  QTest::addColumn<QString>("tls");
+  QTest::addColumn<QString>("sentence");
+  const auto row = [](const char* name, const char* url, const char* tls, const char* sentence) {
+    QTest::newRow(name) << QString::fromLatin1(url) << QString::fromLatin1(tls)
+                        << QString::fromLatin1(sentence);
+  };
+  const char* const open = "https://localhost:OPEN";
+  const char* const closed = "https://localhost:CLOSED";
+  row("its pin", open, R"("pin": "PIN")", "");
+  row("its pin under another name", "https://127.0.0.1:OPEN", R"("pin": "PIN")", "");
+  row("its certificate", open, R"("ca": "FOLDER/cert.pem")", "");
+  row("its certificate under another name", "https://127.0.0.1:OPEN", R"("ca": "FOLDER/cert.pem")",
+      "has a certificate that FOLDER/cert.pem does not vouch for: The host name did not match");
+  row("another pin", open, R"("pin": "0000000000000000000000000000000000000000000000000000000000000000")",
+      "has another certificate than the pinned one: its SHA-256 is PIN.");
+  row("another certificate", open, R"("ca": "FOLDER/our.pem")",
+      "has a certificate that FOLDER/our.pem does not vouch for: ");
+  row("nothing to trust it by", open, "", "has a certificate that this machine does not vouch for: ");
+  row("no file of certificates", open, R"("ca": "FOLDER/none.pem")",
+      "FOLDER/none.pem holds no certificate that can be read.");
+  row("no TLS", "http://localhost:OPEN", "", "ended the connection.");
+  row("ours is wanted", closed, R"("pin": "PIN")", "The archive \"main\" (");
+  row("ours is given", closed,
+      R"("pin": "PIN", "certificate": "FOLDER/our.pem", "key": "FOLDER/our-key.pem")", "");
+  row("a key with a passphrase", closed,
+      R"("pin": "PIN", "certificate": "FOLDER/our.pem", "key": "FOLDER/locked.pem")",
+      "FOLDER/locked.pem is no private key that can be read.");
+}
+
+void TestArchiveTls::onlyTheRightWebPeerIsTrusted() {
+  QFETCH(QString, url);
+  QFETCH(QString, tls);
+  url.replace(QLatin1String("OPEN"), QString::number(webOpenPort_))
+      .replace(QLatin1String("CLOSED"), QString::number(webClosedPort_));
+  compare(QStringLiteral(R"("kind": "dicomweb", "url": "%1/dicom-web")").arg(url), tls);
+}
+
 void TestArchiveTls::onlyTheRightPeerIsTrusted() {
   QFETCH(bool, isOpen);
   QFETCH(QString, tls);
+  compare(QStringLiteral(R"("kind": "dimse", "host": "localhost", "calledAe": "STORESCP", "port": %1)")
+              .arg(isOpen ? openPort_ : closedPort_),
+          tls);
+}
+
+void TestArchiveTls::compare(const QString& fields, QString tls) {
   QFETCH(QString, sentence);
   for (QString* text : {&tls, &sentence})
     text->replace(QLatin1String("PIN"), QString::fromLatin1(pin_))
         .replace(QLatin1String("FOLDER"), folder_.path());
+  if (!tls.isEmpty()) tls = QStringLiteral(R"(, "tls": {%1})").arg(tls);
   QFile file(in("archives.json"));
   QVERIFY(file.open(QIODevice::WriteOnly));
   file.write(
-      QStringLiteral(R"({"archives": [{"name": "main", "kind": "dimse", "host": "localhost", "port": %1,
-    "calledAe": "STORESCP", "tls": {%2}}]})")
-          .arg(isOpen ? openPort_ : closedPort_)
-          .arg(tls)
-          .toUtf8());
+      (QStringLiteral(R"({"archives": [{"name": "main", )") + fields + tls + QStringLiteral("}]}")).toUtf8());
   file.close();
   const Outcome done =
       runProgram(QStringList{QStringLiteral("archive"), QStringLiteral("test"), QStringLiteral("main"),

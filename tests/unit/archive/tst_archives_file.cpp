@@ -173,7 +173,8 @@ void TestArchivesFile::aMissingFileHoldsNoArchive() {
   QVERIFY(none.ok() && none->archives.empty());
   const auto named = archiveNamed(*none, "main", path);
   QCOMPARE(QString::fromStdString(named.message()),
-           QStringLiteral("No archive is set up: add one to %1 (man volumen, ARCHIVES).")
+           QStringLiteral("No archive is set up: add one to %1 (man volumen, ARCHIVES). To try one here: "
+                          "apt install orthanc (resources/docs/archives.md).")
                .arg(QString::fromStdString(path)));
 }
 
