@@ -33,7 +33,7 @@ class Parts : public PartSink {
 
 void readParts(std::string_view text) {
   Parts parts;
-  const std::size_t piece = 1 + std::size_t(text.front());
+  const std::size_t piece = 1 + static_cast<std::uint8_t>(text.front());
   auto reader =
       MultipartReader::of(text.front() % 2 ? "multipart/related; boundary=b" : text.substr(1, 80), parts);
   for (std::size_t at = 1; reader && at < text.size(); at += piece)
