@@ -1,47 +1,15 @@
 #include "app/commands/archive_receive.h"
 
-#include <chrono>
-#include <future>
 #include <iostream>
-#include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <vector>
 
 #include "app/command.h"
 #include "app/index_option.h"
-#include "io/archive/receive_archive.h"
+#include "io/archive/receive_into_index.h"
 
 namespace volumen {
 
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-// The folders of studies that are not in the index yet.
-class Arrivals {
- public:
-  void note(const std::string& studyFolder) {
-    const std::scoped_lock one(mutex_);
-    last_[studyFolder] = Clock::now();
-  }
-  // Returns those whose last instance came `quiet` ago or earlier, and forgets them.
-  std::vector<std::string> take(Clock::duration quiet) {
-    const std::scoped_lock one(mutex_);
-    std::vector<std::string> folders;
-    std::erase_if(last_, [&, latest = Clock::now() - quiet](const auto& arrival) {
-      if (arrival.second > latest) return false;
-      folders.push_back(arrival.first);
-      return true;
-    });
-    return folders;
-  }
-
- private:
-  std::mutex mutex_;
-  std::map<std::string, Clock::time_point> last_;
-};
 
 std::string images(int count) { return std::to_string(count) + (count == 1 ? " image" : " images"); }
 
@@ -68,14 +36,13 @@ std::string jsonLine(const Received& one) {
   return printableJson(json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace));
 }
 
-ReceiveEvents eventsFor(const Listening& listening, bool json, Arrivals& arrivals) {
+ReceiveEvents eventsFor(const Listening& listening, bool json) {
   ReceiveEvents events;
   events.onListening = [&listening] {
     std::cerr << "Listening at " << listening.address << ':' << listening.port << " as " << listening.ae
               << ". Ctrl-C ends.\n";
   };
-  events.onStored = [json, &arrivals](const Received& one) {
-    arrivals.note(one.studyFolder);
+  events.onStored = [json](const Received& one) {
     if (json) std::cout << jsonLine(one) << std::endl;
   };
   events.onEnded = [json](const ReceivedAssociation& one) {
@@ -87,35 +54,26 @@ ReceiveEvents eventsFor(const Listening& listening, bool json, Arrivals& arrival
   return events;
 }
 
-void addArrivals(std::optional<Index>& index, const std::vector<std::string>& folders) {
-  if (!index || folders.empty()) return;
-  if (const auto imported = index->import(folders); !imported) fail(imported.message());
+Result<ReceiveReport> receive(const Listening& listening, const ReceiveOptions& options,
+                              const CancelToken& cancel) {
+  const ReceiveEvents events = eventsFor(listening, options.json);
+  if (!options.folder.empty()) return receiveInstances(listening, options.folder, events, cancel);
+  // Tells whether the index can be used, and makes what its database needs.
+  if (const Result<Index> index = openIndex(options.index); !index) return index.error();
+  const auto onImported = [](const Result<ImportReport>& imported) {
+    if (!imported) fail(imported.message());
+  };
+  return receiveIntoIndex(listening, indexFolderOr(options.index), events, onImported, cancel);
 }
 
 }  // namespace
 
 int receiveFromPeers(const Archives& archives, const ReceiveOptions& options, const CancelToken& cancel) {
-  constexpr std::chrono::milliseconds glance{250};
-  constexpr std::chrono::seconds quiet{2};
   if (!archives.listen)
     return fail(options.list +
                 " does not say where to listen: add \"listen\": {\"ae\": \"VOLUMEN\", \"port\": 11112} to it "
                 "(man volumen, ARCHIVES).");
-  std::optional<Index> index;
-  if (options.folder.empty()) {
-    Result<Index> opened = openIndex(options.index);
-    if (!opened) return fail(opened.message());
-    index.emplace(std::move(*opened));
-  }
-  const std::string folder = options.folder.empty() ? fetchedFolder(indexFolderOr(options.index)) : options.folder;
-  Arrivals arrivals;
-  const ReceiveEvents events = eventsFor(*archives.listen, options.json, arrivals);
-  // The index belongs to this thread, so another one listens.
-  auto receiving = std::async(std::launch::async,
-                              [&] { return receiveInstances(*archives.listen, folder, events, cancel); });
-  while (receiving.wait_for(glance) != std::future_status::ready) addArrivals(index, arrivals.take(quiet));
-  addArrivals(index, arrivals.take({}));
-  const auto report = receiving.get();
+  const auto report = receive(*archives.listen, options, cancel);
   return report ? exitDone : fail(report.message());
 }
 

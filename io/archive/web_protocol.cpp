@@ -186,7 +186,7 @@ class WebProtocol : public ArchiveProtocol {
   }
 
  private:
-  static constexpr int pageSize = 100;
+  static constexpr int pageSize = 200;  // more are refused by some
 
   static bool isSuccess(const WebAnswer& answer) { return answer.status >= 200 && answer.status < 300; }
   static bool isOfStudies(DcmDataset& keys) {

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "io/archive/receive_archive.h"
+#include "io/index/index.h"
+
+namespace volumen {
+
+/// Receives as receiveInstances() does, into the folder of fetched studies beside an index, and adds each
+/// study to the index 2 s after its last instance, and at the end. `onImported` gets what each import came
+/// to, on this thread. The Error also: the index cannot be used.
+Result<ReceiveReport> receiveIntoIndex(const Listening& listening, const std::string& indexFolder,
+                                       const ReceiveEvents& events,
+                                       const std::function<void(const Result<ImportReport>&)>& onImported,
+                                       const CancelToken& cancel);
+
+}  // namespace volumen
