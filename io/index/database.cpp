@@ -1,5 +1,7 @@
 #include "io/index/database.h"
 
+#include <unistd.h>
+
 #include <QDir>
 #include <QFile>
 #include <QSqlError>
@@ -125,6 +127,18 @@ void Database::noteFailure(const QSqlQuery& query) {
                                                      : Failure::other;
   wasDamaged_ = wasDamaged_ || damaged();
   sentence_ = "The index " + path_ + " failed: " + reasonOf(query.lastError()) + ".";
+}
+
+bool Database::isOfUnknownForm() const {
+  const std::string folder = std::filesystem::path(path_).parent_path().string();
+  if (!canWrite() || access(path_.c_str(), W_OK) != 0 || access(folder.c_str(), W_OK) != 0) return false;
+  QSqlQuery query(QSqlDatabase::database(name_, false));
+  query.exec(QStringLiteral("PRAGMA busy_timeout = 0"));  // who writes proves that it can be written
+  const bool isBegun = query.exec(QStringLiteral("BEGIN IMMEDIATE"));
+  const bool isReadOnly = !isBegun && codeOf(query.lastError()) == readOnly;
+  if (isBegun) query.exec(QStringLiteral("ROLLBACK"));
+  query.exec(QStringLiteral("PRAGMA busy_timeout = 5000"));
+  return isReadOnly;
 }
 
 Status Database::takeStatus() {

@@ -86,6 +86,10 @@ class Database {
   bool wasDamaged() const { return wasDamaged_; }
   /// True if SQLite does not know a name in the statement, or the form of the file.
   bool refused() const { return failure_ == Failure::refused; }
+  /// Returns whether the file names a form of a later SQLite, which this one does not write. SQLite is asked:
+  /// if this process opened the file by itself, closing it would drop the locks of all its connections
+  /// (POSIX, fcntl), and other programs would delete the log in which these go on to write.
+  bool isOfUnknownForm() const;
   /// Returns the status since the last call and resets the failure.
   Status takeStatus();
 

@@ -10,7 +10,6 @@
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 
 #include "io/files/lock_file.h"
 #include "io/files/private_folder.h"
@@ -71,15 +70,6 @@ bool isCutOff(Database& db) {
   return !error && page > 0 && size % std::uintmax_t(page) != 0 && (noLog || log == 0);
 }
 
-// True if the header allows writing: an unknown write version makes SQLite read-only.
-bool isWritableForm(const std::string& path) {
-  constexpr std::size_t writeVersionAt = 18;
-  std::ifstream file(path, std::ios::binary);
-  std::array<char, 20> head{};
-  file.read(head.data(), head.size());
-  return file && head[writeVersionAt] >= 1 && head[writeVersionAt] <= 2;
-}
-
 // Returns the definitions of a database's tables and indexes without spaces.
 std::vector<std::string> tablesOf(Database& db) {
   std::vector<std::string> all;
@@ -114,7 +104,7 @@ Health examine(Database& db, std::span<const SchemaStep> steps, Check check) {
       found.next())
     whole = found.text(0) == "ok";
   if (db.failed()) return db.damaged() || db.refused() ? Health::damaged : Health::unknown;
-  if (!whole || isCutOff(db) || !isWritableForm(db.path()) || id != applicationId) return Health::damaged;
+  if (!whole || isCutOff(db) || db.isOfUnknownForm() || id != applicationId) return Health::damaged;
   if (version > std::int64_t(steps.size())) return Health::newer;
   if (version < 1 || tables != tablesMadeBy(steps.first(std::size_t(version)))) return Health::damaged;
   return version == std::int64_t(steps.size()) ? Health::good : Health::outdated;

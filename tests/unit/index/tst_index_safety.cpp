@@ -65,6 +65,7 @@ class TestIndexSafety : public QObject {
   void olderSchemaIsUpdated();
   void killedImportGoesOn();
   void twoProgramsAtOnce();
+  void anOpenIndexKeepsItsLog();
   void threadsReadWhileOneWrites();
   void diskFull();
   void folderThatCannotBeWritten();
@@ -230,6 +231,27 @@ void TestIndexSafety::twoProgramsAtOnce() {
     QVERIFY2(index.notice().empty(), index.notice().c_str());
     QCOMPARE(tests::contentsOf(index), expected);
   }
+}
+
+// A program that stays (the window, a listener) keeps its locks, whatever else it opens: others that come and
+// go must not delete the log that it writes to.
+void TestIndexSafety::anOpenIndexKeepsItsLog() {
+  const IndexFolder folder;
+  folder.add({"first/1.dcm", "First^Patient", "1.2.1", "1.2.1.1"});
+  folder.import("first");
+  Index index = folder.open();
+  const auto listed = [&] {
+    return runProgram(
+               {QStringLiteral("list"), QStringLiteral("--index"), QString::fromStdString(folder.index())})
+        .out;
+  };
+  folder.open();
+  QVERIFY(listed().contains("First"));
+  folder.add({"second/1.dcm", "Second^Patient", "1.2.2", "1.2.2.1"});
+  QVERIFY(index.import({folder.data("second")}).ok());
+  QVERIFY(fs::exists(folder.index() + "/index.sqlite-wal"));
+  for (int n = 0; n < 2; ++n) QVERIFY2(listed().contains("Second"), listed());
+  QVERIFY(fs::exists(folder.index() + "/index.sqlite-wal"));
 }
 
 void TestIndexSafety::threadsReadWhileOneWrites() {
