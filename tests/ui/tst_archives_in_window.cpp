@@ -1,75 +1,16 @@
 // Guards archives in the window with a real archive (dcmqrscp), by real events: choosing one, searching,
-// opening, and priors that only an archive has. The user's list is that of the tests.
-#include <QComboBox>
-#include <QDialog>
-#include <QDirIterator>
-#include <QFile>
-#include <QSpinBox>
+// opening, dragging, and priors that only an archive has. The user's list is that of the tests.
+#include <QMimeData>
 
-#include "io/archive/archives.h"
-#include "io/files/output_file.h"
-#include "io/files/private_folder.h"
-#include "tests/ui/browser_window.h"
+#include "tests/ui/archives_window.h"
+#include "tests/ui/gestures.h"
 #include "tests/ui/hanging_window.h"
 #include "tests/unit/archive/peer_process.h"
 #include "tests/unit/suite.h"
+#include "ui/workspace/dragged_series.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-// The user's list of archives, until the end of a test.
-struct ListedArchives {
-  explicit ListedArchives(const std::string& json) {
-    isWritten = makePrivateFolder(configFolder()) && writeWholeFile(userArchivesFile(), json);
-  }
-  explicit ListedArchives(int port) : ListedArchives(archivesToJson({{archiveAt(port)}})) {}
-  ~ListedArchives() { QFile::remove(QString::fromStdString(userArchivesFile())); }
-  static Archive archiveAt(int port) {
-    Archive archive;
-    archive.name = "main", archive.host = "127.0.0.1", archive.port = port, archive.calledAe = "ARCH";
-    return archive;
-  }
-
-  bool isWritten = false;
-};
-
-QStringList dicomFilesBelow(const QString& folder) {
-  QStringList files;
-  for (QDirIterator all(folder, QDir::Files, QDirIterator::Subdirectories); all.hasNext();)
-    files << all.next();
-  return files;
-}
-
-// The dialog of archives, opened from the preferences.
-struct EditedArchives : BrowserWindow {
-  explicit EditedArchives(const Studies& studies) : BrowserWindow(studies) {
-    QTest::keyClick(&window, Qt::Key_Comma, Qt::ControlModifier);
-    click("editArchives");
-  }
-  void click(const char* button) { QTest::mouseClick(child<QPushButton>(button), Qt::LeftButton); }
-  void type(const char* field, const QString& text) {
-    child<QLineEdit>(field)->selectAll();
-    QTest::keyClicks(child<QLineEdit>(field), text);
-  }
-  QString told() { return child<QLabel>("archiveTold")->text(); }
-  bool isOpen() {
-    const auto* dialog = child<QDialog>("archivesDialog");
-    return dialog && dialog->isVisible();
-  }
-};
-
-// Chooses the archive by a key.
-bool chooseArchive(BrowserWindow& w) {
-  auto* box = w.child<QComboBox>("browserSource");
-  if (!QTest::qWaitFor([&] { return box->isVisible(); }, longest)) return false;
-  box->setFocus();
-  QTest::keyClick(box, Qt::Key_Down);
-  return box->currentText() == QStringLiteral("main");
-}
-
-}  // namespace
 
 class TestArchivesInWindow : public QObject {
   Q_OBJECT
@@ -80,7 +21,8 @@ class TestArchivesInWindow : public QObject {
   void anArchiveThatDoesNotAnswerCanBeAskedAgain();
   void aBrokenListIsTold();
   void thePriorIsFetchedFromAnArchive();
-  void archivesAreEdited();
+  void aDragKeepsItsSource_data();
+  void aDragKeepsItsSource();
 };
 
 void TestArchivesInWindow::initTestCase() {
@@ -95,8 +37,8 @@ void TestArchivesInWindow::aStudyOfAnArchiveIsOpened() {
   QVERIFY(peer.start());
   const ListedArchives list(peer.port());
   QVERIFY(list.isWritten);
-  BrowserWindow w(studies);
-  QVERIFY(chooseArchive(w));
+  ArchivesWindow w(studies);
+  QVERIFY(w.choose("main"));
   QTRY_COMPARE_WITH_TIMEOUT(
       w.notice(), QStringLiteral("There are no studies of today. Type words to search the archive."),
       longest);
@@ -112,7 +54,7 @@ void TestArchivesInWindow::aStudyOfAnArchiveIsOpened() {
   w.shot("archive-in-browser");
   QCOMPARE(w.row("Doe, Jane (here)").siblingAtColumn(4).data().toString(), QStringLiteral("Head"));
   w.search()->clear();
-  QTest::keyClick(w.child<QComboBox>("browserSource"), Qt::Key_Up);
+  QTest::keyClick(w.box(), Qt::Key_Up);
   QVERIFY(w.shows({QStringLiteral("Doe, Jane")}));
   QVERIFY(w.has("Head", 4));
 }
@@ -123,8 +65,8 @@ void TestArchivesInWindow::anArchiveThatDoesNotAnswerCanBeAskedAgain() {
   QrPeer peer;
   peer.add(dicomFilesBelow(studies.data));
   const ListedArchives list(peer.port());  // which is not started yet
-  BrowserWindow w(studies);
-  QVERIFY(chooseArchive(w));
+  ArchivesWindow w(studies);
+  QVERIFY(w.choose("main"));
   QTRY_VERIFY2_WITH_TIMEOUT(w.notice().contains(QStringLiteral("cannot be reached")), qPrintable(w.notice()),
                             longest);
   QVERIFY(w.search()->isEnabled() && w.patients().isEmpty());
@@ -138,12 +80,12 @@ void TestArchivesInWindow::anArchiveThatDoesNotAnswerCanBeAskedAgain() {
 void TestArchivesInWindow::aBrokenListIsTold() {
   const ListedArchives list("{\"archives\": 7}");
   const Studies studies;
-  BrowserWindow w(studies);
+  ArchivesWindow w(studies);
   QTRY_VERIFY_WITH_TIMEOUT(w.banner()->sentence().contains(QStringLiteral("archives.json")), longest);
-  QCOMPARE(w.child<QComboBox>("browserSource")->count(), 1);
-  EditedArchives edited(studies);
-  QVERIFY(edited.told().contains(QStringLiteral("archives.json")));
-  QVERIFY2(!edited.child<QPushButton>("saveArchives")->isEnabled(), "it would replace the file");
+  QCOMPARE(w.box()->count(), 1);
+  w.edit();
+  QVERIFY(w.told().contains(QStringLiteral("archives.json")));
+  QVERIFY2(!w.child<QPushButton>("saveArchives")->isEnabled(), "it would replace the file");
 }
 
 void TestArchivesInWindow::thePriorIsFetchedFromAnArchive() {
@@ -165,33 +107,48 @@ void TestArchivesInWindow::thePriorIsFetchedFromAnArchive() {
   QVERIFY2(QTest::qWaitFor(showsPrior, longest), qPrintable(w.complaint()));
 }
 
-// What the dialog does not show stays in the file.
-void TestArchivesInWindow::archivesAreEdited() {
-  QrPeer peer;
-  QVERIFY(peer.start());
-  Archive other = ListedArchives::archiveAt(104);
-  other.name = "other", other.tls = TlsSettings{std::string(64, 'a'), "", "", ""};
-  const ListedArchives list(archivesToJson({{other}}));
+void TestArchivesInWindow::aDragKeepsItsSource_data() {
+  QTest::addColumn<QString>("meanwhile");
+  QTest::addColumn<bool>("isOpened");
+  QTest::newRow("another source is listed") << QString() << true;
+  QTest::newRow("the archive is removed") << QStringLiteral("removed") << false;
+  QTest::newRow("the drag is of another program") << QStringLiteral("other program") << false;
+}
+
+// The first study of the archive is the last one of the index.
+void TestArchivesInWindow::aDragKeepsItsSource() {
+  QFETCH(QString, meanwhile);
+  QFETCH(bool, isOpened);
   const Studies studies;
-  EditedArchives w(studies);
-  QVERIFY(w.isOpen());
-  w.type("archive_host", QStringLiteral("10.0.0.7"));
-  w.click("addArchive");
-  w.type("archive_name", QStringLiteral("main"));
-  w.click("saveArchives");
-  QVERIFY2(w.isOpen() && w.told().contains(QStringLiteral("Host or address must")), qPrintable(w.told()));
-  w.type("archive_host", QStringLiteral("127.0.0.1"));
-  w.type("archive_calledAe", QStringLiteral("ARCH"));
-  w.child<QSpinBox>("archivePort")->selectAll();
-  QTest::keyClicks(w.child<QSpinBox>("archivePort"), QString::number(peer.port()));
-  w.click("testArchive");
-  QTRY_COMPARE_WITH_TIMEOUT(w.told(), QStringLiteral("The archive \"main\" answers."), longest);
-  w.shot("archives-edited");
-  w.click("saveArchives");
-  QVERIFY(!w.isOpen());
-  other.host = "10.0.0.7";
-  const Result<Archives> saved = readArchives(userArchivesFile());
-  QVERIFY(saved && *saved == (Archives{{other, ListedArchives::archiveAt(peer.port())}}));
+  QVERIFY(studies.import());
+  QrPeer peer;
+  peer.add(dicomFilesBelow(studies.data + QStringLiteral("/yamada")));
+  QVERIFY(peer.start());
+  const ListedArchives list(peer.port());
+  ArchivesWindow w(studies);
+  QVERIFY(w.openHead());
+  w.child<QAction>("layoutTwo")->trigger();
+  w.child<QAction>("showBrowser")->trigger();
+  QVERIFY(w.choose("main"));
+  w.searchFor("knee");
+  QVERIFY(w.has("Knee", 4));
+  const std::unique_ptr<QMimeData> data(w.tree()->model()->mimeData({w.row("Knee", 4)}));
+  if (meanwhile == QStringLiteral("removed")) {
+    const ListedArchives none(Archives{});
+    QVERIFY(w.window.document().sources.offerArchives());
+  } else if (!meanwhile.isEmpty()) {
+    QByteArray said = data->data(draggedSeriesType);
+    data->setData(draggedSeriesType, said.replace(0, 8, "00000000"));
+  }
+  w.choose("This computer");
+  w.search()->clear();
+  QVERIFY(w.has("Head", 4));
+  QVERIFY(tests::drop(*data, w.window.views()->viewOf(firstComparedId + 1)));
+  QCOMPARE(w.banner()->isVisible(), !isOpened);
+  QVERIFY(w.isShown("Bone", firstComparedId));
+  if (isOpened) QVERIFY(w.isShown("Sagittal", firstComparedId + 1));
+  QTest::qWait(isOpened ? 0 : 300);
+  QCOMPARE(w.openPlaces().size(), isOpened ? 2 : 1);
 }
 
 VOLUMEN_TEST(TestArchivesInWindow);

@@ -106,6 +106,15 @@ ArchiveSource::ArchiveSource(Archive archive, std::string indexFolder, Jobs& job
       questions_(&jobs),
       fetches_(&jobs) {}
 
+void ArchiveSource::setArchive(Archive archive) {
+  if (archive == archive_) return;
+  archive_ = std::move(archive);
+  searches_.giveUpAll();
+  answer_.reset();
+  seriesOf_.clear();
+  Q_EMIT changed();
+}
+
 // Another order of the last answer needs no new search.
 void ArchiveSource::list(const StudyListRequest& request) {
   const bool isSameSearch = searches_.isBusy() && wanted_.words == request.words;
@@ -116,7 +125,8 @@ void ArchiveSource::list(const StudyListRequest& request) {
   if (isAnswered) return tellAnswer();
   const std::string words = request.words;
   searches_.run(
-      JobName(tr("Searching %1").arg(name())), [this, words](const Job& job) { return find(words, job); },
+      JobName(tr("Searching %1").arg(name())),
+      [this, archive = archive_, words](const Job& job) { return find(archive, words, job); },
       [this, words](Result<Found> found) {
         if (found) return takeAnswer(words, std::move(*found));
         answer_.reset();
@@ -129,13 +139,14 @@ void ArchiveSource::list(const StudyListRequest& request) {
 }
 
 // Runs on the thread of `searches_`.
-Result<ArchiveSource::Found> ArchiveSource::find(const std::string& words, const Job& job) const {
+Result<ArchiveSource::Found> ArchiveSource::find(const Archive& archive, const std::string& words,
+                                                 const Job& job) const {
   ArchiveQuery query;
   query.words = words.empty() ? "today" : words;
   const auto onStudies = [&](std::size_t count) {
-    job.tell(tr("Searching %1: %2 studies").arg(name(), numberText(count)), -1);
+    job.tell(tr("Searching %1: %2 studies").arg(QString::fromStdString(archive.name), numberText(count)), -1);
   };
-  Result<ArchiveAnswers> answers = searchArchive(archive_, query, onStudies, job.cancel());
+  Result<ArchiveAnswers> answers = searchArchive(archive, query, onStudies, job.cancel());
   if (!answers) return answers.error();
   return Found{std::move(*answers), imagesHere(indexFolder_)};
 }
@@ -179,8 +190,8 @@ void ArchiveSource::series(std::int64_t study) {
   }
   questions_.run(
       {},
-      [this, uid = studies_.uidOf(study)](const Job& job) {
-        return seriesOfArchiveStudy(archive_, uid, job.cancel());
+      [archive = archive_, uid = studies_.uidOf(study)](const Job& job) {
+        return seriesOfArchiveStudy(archive, uid, job.cancel());
       },
       [this, study](Result<std::vector<IndexedSeries>> found) {
         if (!found) return Q_EMIT failed(QString::fromStdString(found.message()));
@@ -204,7 +215,9 @@ void ArchiveSource::studiesOf(const std::string& patientId, const std::string& p
   if (patientId.empty() && patientName.empty()) return answer(std::vector<IndexedStudy>());
   questions_.run(
       JobName(tr("Searching %1").arg(name())),
-      [=, this](const Job& job) { return archivedStudiesOf(archive_, patientId, patientName, job.cancel()); },
+      [=, archive = archive_](const Job& job) {
+        return archivedStudiesOf(archive, patientId, patientName, job.cancel());
+      },
       [this, answer](Result<std::vector<IndexedStudy>> found) {
         answer(found ? std::optional(numbered(std::move(*found))) : std::nullopt);
       },
@@ -220,8 +233,8 @@ void ArchiveSource::open(const IndexedChoice& choice, OpenHow how) {
   intent.seriesUid = series_.uidOf(choice.series);
   fetches_.run(
       JobName(tr("Fetching"), patientNameText(patientNames_[choice.study])),
-      [this, studyUid, seriesUid = intent.seriesUid](const Job& job) {
-        return fetch(studyUid, seriesUid, job);
+      [this, archive = archive_, studyUid, seriesUid = intent.seriesUid](const Job& job) {
+        return fetch(archive, studyUid, seriesUid, job);
       },
       [this, choice, intent](const Result<Fetched>& fetched) {
         if (!fetched) return Q_EMIT notOpened(choice, QString::fromStdString(fetched.message()));
@@ -233,18 +246,19 @@ void ArchiveSource::open(const IndexedChoice& choice, OpenHow how) {
 
 // Runs on the thread of `fetches_`. Series that were opened before stay open: their files belong to the
 // study.
-Result<ArchiveSource::Fetched> ArchiveSource::fetch(const std::string& studyUid, const std::string& seriesUid,
-                                                    const Job& job) {
+Result<ArchiveSource::Fetched> ArchiveSource::fetch(const Archive& archive, const std::string& studyUid,
+                                                    const std::string& seriesUid, const Job& job) {
   if (indexFolder_.empty())
     return Error{tr("There is no home folder for fetched studies: set HOME or XDG_DATA_HOME.").toStdString()};
   const FetchRequest request{studyUid, seriesUid, fetchedFolder(indexFolder_, studyUid)};
   const Progress progress = [&](const char*, std::size_t done, std::size_t total) {
     job.tell(tr("image %1 of %2").arg(numberText(done), numberText(total)), double(done) / double(total));
   };
-  const Result<FetchReport> report = fetchFromArchive(archive_, request, progress, job.cancel());
+  const Result<FetchReport> report = fetchFromArchive(archive, request, progress, job.cancel());
   if (!report) return report.error();
   if (report->fetched + report->alreadyHere == 0)
-    return Error{tr("The archive \"%1\" sent no images.").arg(name()).toStdString()};
+    return Error{
+        tr("The archive \"%1\" sent no images.").arg(QString::fromStdString(archive.name)).toStdString()};
   Fetched fetched{{}, missingText(*report)};
   job.tell(tr("adding to the list of studies"), -1);
   const Status added = addToIndex(indexFolder_, folderOf(request), job.cancel());

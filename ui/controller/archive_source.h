@@ -30,6 +30,10 @@ class ArchiveSource : public StudySource {
  public:
   ArchiveSource(Archive archive, std::string indexFolder, Jobs& jobs, QObject* parent = nullptr);
 
+  /// Asks under other settings from now on; studies and series keep their numbers. Emits changed() if the
+  /// settings differ.
+  void setArchive(Archive archive);
+
   QString key() const override { return QStringLiteral("archive:") + name(); }
   QString name() const override { return QString::fromStdString(archive_.name); }
   bool isRemote() const override { return true; }
@@ -55,14 +59,15 @@ class ArchiveSource : public StudySource {
   struct Found;
   struct Fetched;
 
-  Result<Found> find(const std::string& words, const Job& job) const;
-  Result<Fetched> fetch(const std::string& studyUid, const std::string& seriesUid, const Job& job);
+  Result<Found> find(const Archive& archive, const std::string& words, const Job& job) const;
+  Result<Fetched> fetch(const Archive& archive, const std::string& studyUid, const std::string& seriesUid,
+                        const Job& job);
   std::vector<IndexedStudy> numbered(std::vector<IndexedStudy> studies);
   void takeAnswer(const std::string& words, Found found);
   void tellAnswer();
   void takeSeries(std::int64_t study, std::vector<IndexedSeries> found);
 
-  const Archive archive_;
+  Archive archive_;  // jobs use copies
   const std::string indexFolder_;
   UidNumbers studies_, series_;
   std::map<std::int64_t, std::string> patientNames_;     // by study

@@ -163,6 +163,14 @@ void IndexService::open(const IndexedChoice& choice, OpenHow how) {
       });
 }
 
+ListFiles IndexService::filesOf(const IndexedChoice& choice) const {
+  return [choice, folder = folder_]() -> Result<std::vector<std::string>> {
+    const Result<Index> index = Index::openAsItIs(folder);
+    if (!index) return index.error();
+    return index->files(choice.study, choice.series);
+  };
+}
+
 void IndexService::remove(const std::vector<std::int64_t>& studies) { change(studies, &Index::forget); }
 
 void IndexService::undoRemove(const std::vector<std::int64_t>& studies) {

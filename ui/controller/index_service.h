@@ -26,6 +26,7 @@ class IndexService : public StudySource {
   void wantThumbnails(const std::vector<std::int64_t>& series) override;
   /// Also records that the study was opened, unless it is only looked into.
   void open(const IndexedChoice& choice, OpenHow how) override;
+  ListFiles filesOf(const IndexedChoice& choice) const override;
   bool canImport() const override { return true; }
   void import(const QStringList& paths) override;
   bool canRemove() const override { return true; }

@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QObject>
 #include <QStringList>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -19,6 +20,9 @@ struct StudyListRequest {
   StudySort sort;
   bool operator==(const StudyListRequest&) const = default;
 };
+
+/// Lists files; may be called on any thread.
+using ListFiles = std::function<Result<std::vector<std::string>>()>;
 
 /// A source of studies: the index of this machine, or an archive. No call waits; each ends in a signal. Slow
 /// work is a job in the list. Opening and importing send no signal if they are cancelled there. Numbers of
@@ -51,6 +55,9 @@ class StudySource : public QObject {
   virtual void wantThumbnails(const std::vector<std::int64_t>& series);
   /// Opens a choice. Ends in filesFound() once the files of the study are on this machine, or in notOpened().
   virtual void open(const IndexedChoice& choice, OpenHow how) = 0;
+
+  /// Returns what lists the files of a choice on this machine. Null in the base class: they are elsewhere.
+  virtual ListFiles filesOf(const IndexedChoice&) const { return {}; }
 
   /// Returns whether import() is supported; false in the base class.
   virtual bool canImport() const { return false; }

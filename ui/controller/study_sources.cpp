@@ -19,31 +19,26 @@ constexpr Make sources[] = {
     },
 };
 
-// Adds the archives of the user's list. What they fetch changes the index, which is the first source.
-void addArchives(StudySourceList& all, const std::string& indexFolder, Jobs& jobs) {
-  StudySource* index = all.front().get();
-  const Result<Archives> archives = readArchives(userArchivesFile());
-  if (!archives) {
-    // Nobody listens yet.
-    const QString why = QString::fromStdString(archives.message());
-    QMetaObject::invokeMethod(
-        index, [index, why] { Q_EMIT index->noticed(why); }, Qt::QueuedConnection);
-    return;
-  }
-  for (const Archive& archive : archives->archives) {
-    auto source = std::make_unique<ArchiveSource>(archive, indexFolder, jobs);
-    QObject::connect(source.get(), &ArchiveSource::imported, index, &StudySource::changed);
-    all.push_back(std::move(source));
-  }
-}
-
 }  // namespace
 
 StudySourceList makeStudySources(const std::string& indexFolder, Jobs& jobs) {
   StudySourceList all;
   for (const Make make : sources) all.push_back(make(indexFolder, jobs));
-  addArchives(all, indexFolder, jobs);
   return all;
+}
+
+StudySources::StudySources(StudySourceList always, std::string indexFolder, Jobs& jobs)
+    : indexFolder_(std::move(indexFolder)),
+      jobs_(jobs),
+      all_(std::move(always)),
+      always_(all_.size()),
+      current_(all_.front().get()) {
+  for (const auto& source : all_) offered_.push_back(source.get());
+}
+
+StudySource* StudySources::offered(const QString& key) const {
+  const auto found = std::ranges::find_if(offered_, [&](const StudySource* s) { return s->key() == key; });
+  return found == offered_.end() ? nullptr : *found;
 }
 
 StudySource* StudySources::importer() const {
@@ -52,7 +47,34 @@ StudySource* StudySources::importer() const {
 }
 
 void StudySources::choose(std::size_t n) {
-  if (std::exchange(current_, n) != n) Q_EMIT chosen();
+  if (std::exchange(current_, offered_[n]) != offered_[n]) Q_EMIT chosen();
+}
+
+Status StudySources::offerArchives() {
+  const Result<Archives> archives = readArchives(userArchivesFile());
+  if (!archives) return archives.error();
+  offered_.resize(always_);
+  for (const Archive& archive : archives->archives) offered_.push_back(&sourceOf(archive));
+  const bool isGone = std::ranges::find(offered_, current_) == offered_.end();
+  if (isGone) current_ = offered_.front();
+  Q_EMIT offeredChanged();
+  if (isGone) Q_EMIT chosen();
+  return {};
+}
+
+// Returns the source of an archive, made if it is new. What it fetches changes the index.
+ArchiveSource& StudySources::sourceOf(const Archive& archive) {
+  ArchiveSource*& source = archives_[archive.name];
+  if (source) {
+    source->setArchive(archive);
+    return *source;
+  }
+  all_.push_back(std::make_unique<ArchiveSource>(archive, indexFolder_, jobs_));
+  source = static_cast<ArchiveSource*>(all_.back().get());
+  if (StudySource* index = importer())
+    connect(source, &ArchiveSource::imported, index, &StudySource::changed);
+  Q_EMIT added(all_.size() - 1);
+  return *source;
 }
 
 }  // namespace volumen

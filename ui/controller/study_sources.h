@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "ui/controller/study_source.h"
@@ -8,36 +9,58 @@
 
 namespace volumen {
 
+struct Archive;
+class ArchiveSource;
+
 using StudySourceList = std::vector<std::unique_ptr<StudySource>>;
-/// Makes the available sources in the order in which they are offered. `indexFolder` is the folder of the
-/// index.
+/// Makes the sources that are always offered, in their order. `indexFolder` is the folder of the index.
 using MakeStudySources = std::function<StudySourceList(const std::string& indexFolder, Jobs& jobs)>;
 
-/// Makes all sources of this program.
+/// Makes all such sources of this program.
 StudySourceList makeStudySources(const std::string& indexFolder, Jobs& jobs);
 
-/// The sources of studies; one of them is listed.
+/// The sources of studies; one of them is listed. The archives of the user's list follow those that are
+/// always offered. Each name of an archive has one source, which is kept after the archive left the list, as
+/// its studies may be open.
 class StudySources : public QObject {
   Q_OBJECT
  public:
-  /// `all` has at least one source; the first is listed.
-  explicit StudySources(StudySourceList all) : all_(std::move(all)) {}
+  /// `always` has at least one source; the first is listed. Archives fetch into the index in `indexFolder`.
+  StudySources(StudySourceList always, std::string indexFolder, Jobs& jobs);
 
+  /// Returns all sources, those that are no longer offered, too. New ones are appended.
   const StudySourceList& all() const { return all_; }
+  /// Returns the sources that can be chosen, in the order in which they are offered.
+  const std::vector<StudySource*>& offered() const { return offered_; }
+  /// Returns the offered source with this key, or null.
+  StudySource* offered(const QString& key) const;
   /// Returns the listed source.
-  StudySource& current() const { return *all_[current_]; }
+  StudySource& current() const { return *current_; }
   /// Returns the first source that supports imports, or null.
   StudySource* importer() const;
-  /// Lists source `n` of all().
+  /// Lists source `n` of offered().
   void choose(std::size_t n);
+  /// Offers the archives of the user's list as it is now. Lists the first source if the listed one is gone.
+  /// The Error: the list cannot be read, and the offer stays.
+  Status offerArchives();
 
  Q_SIGNALS:
   /// Another source is listed.
   void chosen();
+  /// Source `number` of all() was made.
+  void added(std::size_t number);
+  void offeredChanged();
 
  private:
+  ArchiveSource& sourceOf(const Archive& archive);
+
+  const std::string indexFolder_;
+  Jobs& jobs_;
   StudySourceList all_;
-  std::size_t current_ = 0;
+  const std::size_t always_;                        // number of sources that are no archives
+  std::map<std::string, ArchiveSource*> archives_;  // by name
+  std::vector<StudySource*> offered_;
+  StudySource* current_;
 };
 
 }  // namespace volumen

@@ -29,6 +29,7 @@ const std::vector<FeatureEntry>& features() {
       {"picture files", makePictureFiles},
       {"printing", makePrinting},
       {"snapshots", makeSnapshots},
+      {"sending", makeSending},
       {"measuring", makeMeasuring},
       {"measurement charts", makeMeasurementCharts},
       {"curved planes", makeCurvedPlanes},

@@ -20,6 +20,7 @@ class PreferencesFeature : public Feature {
   void apply(const Preferences& before, const Preferences& after);
   void showTheme();
   void showDialog();
+  void offerArchives();
 
   QList<QAction*> actions_;  // first the theme, hidden names and the table
   QPointer<PreferencesDialog> dialog_;
@@ -89,9 +90,15 @@ void PreferencesFeature::showDialog() {
   if (!dialog_) {
     dialog_ = new PreferencesDialog(session_, bench_.dialogParent());
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
+    connect(dialog_, &PreferencesDialog::archivesSaved, this, &PreferencesFeature::offerArchives);
   }
   dialog_->show();
   dialog_->activateWindow();
+}
+
+void PreferencesFeature::offerArchives() {
+  const Status offered = bench_.document.sources.offerArchives();
+  if (!offered) warnUntilDone(QString::fromStdString(offered.message()));
 }
 
 }  // namespace

@@ -18,13 +18,15 @@ class Priors : public Feature {
   explicit Priors(Workbench& bench);
 
  private:
-  void connectSource(int number);
+  void connectSource(std::size_t number);
   void compare();
   void carryOut(const PriorStep& step);
   void show(const SeriesPicture& current, const SeriesPicture& prior);
   bool isCandidate(const QString& place) const;
   void lookInto(const QString& place, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
   void offerRegistration(const Series& current, const Series& prior);
+
+  std::set<int> offeredSources() const;
 
   const StudySourceList& sources_ = bench_.document.sources.all();
   PriorSearch search_;
@@ -38,20 +40,21 @@ Priors::Priors(Workbench& bench) : Feature(bench) {
                     false,
                     [this](bool) { compare(); },
                     {{"viewMenu", 60, 54}}});
-  for (std::size_t n = 0; n < sources_.size(); ++n) connectSource(int(n));
+  for (std::size_t n = 0; n < sources_.size(); ++n) connectSource(n);
+  connect(&bench_.document.sources, &StudySources::added, this, &Priors::connectSource);
   connect(&bench_.document.loader, &Loader::filesOpened, this, &Priors::lookInto);
   connect(&bench_.document.loader, &Loader::idle, this,
           [this] { search_ = withReadingOver(std::move(search_)); });
 }
 
-void Priors::connectSource(int number) {
-  const StudySource* source = sources_[std::size_t(number)].get();
-  connect(
-      source, &StudySource::patientListed, this,
-      [this, number](const std::string& id, const std::string& name,
-                     const std::optional<std::vector<IndexedStudy>>& studies) {
-        carryOut(withAnswer(search_, session_.workspace(), open_.pictures(), {number, id, name, studies}));
-      });
+void Priors::connectSource(std::size_t number) {
+  const StudySource* source = sources_[number].get();
+  connect(source, &StudySource::patientListed, this,
+          [this, number](const std::string& id, const std::string& name,
+                         const std::optional<std::vector<IndexedStudy>>& studies) {
+            carryOut(withAnswer(search_, session_.workspace(), open_.pictures(),
+                                {int(number), id, name, studies}));
+          });
   connect(
       source, &StudySource::filesFound, this,
       [this, source](const IndexedChoice& choice, const std::vector<std::string>&, const OpenIntent& intent) {
@@ -66,10 +69,18 @@ void Priors::connectSource(int number) {
 void Priors::compare() {
   const SeriesPicture shown = pictureIn(session_.workspace(), session_.workspace().focus);
   if (!shown) return warn(tr("Click a view that shows a series first."));
-  carryOut(begunSearch(session_.workspace(), shown, open_.pictures(), int(sources_.size())));
+  carryOut(begunSearch(session_.workspace(), shown, open_.pictures(), offeredSources()));
   if (search_.asked.empty()) return;
   const Series series = search_.series;  // a copy, as an answer may come at once
-  for (const auto& source : sources_) source->studiesOf(series.patientId, series.patientName);
+  for (const int n : std::set(search_.asked))
+    sources_[std::size_t(n)]->studiesOf(series.patientId, series.patientName);
+}
+
+std::set<int> Priors::offeredSources() const {
+  std::set<int> numbers;
+  for (std::size_t n = 0; n < sources_.size(); ++n)
+    if (std::ranges::count(bench_.document.sources.offered(), sources_[n].get())) numbers.insert(int(n));
+  return numbers;
 }
 
 void Priors::carryOut(const PriorStep& step) {

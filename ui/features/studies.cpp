@@ -108,8 +108,11 @@ void Studies::addCommands(QMenu* more) {
 }
 
 void Studies::showDropped(const QMimeData& what) {
-  if (const Series* series = panel_->seriesOf(what)) bench_.document.opener.show(*series);
-  if (const auto choice = choiceIn(what)) bench_.document.sources.current().open(*choice, OpenHow::here);
+  if (const Series* series = panel_->seriesOf(what)) return bench_.document.opener.show(*series);
+  const auto dragged = choiceIn(what);
+  StudySource* source = dragged ? bench_.document.sources.offered(dragged->source) : nullptr;
+  if (source) return source->open(dragged->choice, OpenHow::here);
+  warn(tr("This series is not in a list of this window: open its folder (Ctrl+O)."));
 }
 
 void Studies::showAttributes(const Series& series) {

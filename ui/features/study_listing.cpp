@@ -95,6 +95,13 @@ StudyListing::StudyListing(Workbench& bench)
   makeActions();
   connectBrowser();
   for (const auto& source : sources_.all()) connectSource(*source);
+  connect(&sources_, &StudySources::added, this,
+          [this](std::size_t number) { connectSource(*sources_.all()[number]); });
+  if (const Status offered = sources_.offerArchives(); !offered)
+    bench_.banner.add(QString::fromStdString(offered.message()));
+  connect(&sources_, &StudySources::offeredChanged, this, [this] {
+    if (!showsAnything(session_.workspace()) && !browser_->isEmpty()) showBrowser(true);
+  });
   const Loader* loader = &bench_.document.loader;
   connect(loader, &Loader::filesOpened, this, &StudyListing::showFound);
   connect(loader, &Loader::openBegan, this, &StudyListing::leaveKeys);
@@ -147,6 +154,7 @@ void StudyListing::connectBrowser() {
   connect(browser_, &StudyBrowser::openRequested, this, [this](const IndexedChoice& choice, bool beside) {
     sources_.current().open(choice, beside ? OpenHow::beside : OpenHow::instead);
   });
+  connect(browser_, &StudyBrowser::sendRequested, &bench_, &Workbench::sendRequested);
   connect(browser_, &StudyBrowser::offlineRequested, this, [this] {
     warn(
         tr("The files of this study are not there now: connect the disk or network folder that "

@@ -54,7 +54,7 @@ bool areSeriesOf(const Workspace& a, const Workspace& b) {
 }  // namespace
 
 Document::Document(const Services& services)
-    : sources(services.makeSources(services.indexFolder, jobs)),
+    : sources(services.makeSources(services.indexFolder, jobs), services.indexFolder, jobs),
       drawService(services.makeDraw, session.sharedPool()),
       loader(session, jobs, services.makeScene) {
   frames.shareBudgetOf(session.sharedPool());

@@ -176,6 +176,8 @@ class Workbench : public QObject, public WindowParts {
   /// Requests to open files, folders, phantoms or sessions. Shows the largest series of the first study that
   /// has any, drawn by `scene` if given.
   void openRequested(const QStringList& paths, const std::optional<volumen::Scene>& scene = {});
+  /// Requests to send a study or series of the listed source, called `name`, to an archive.
+  void sendRequested(const volumen::IndexedChoice& choice, const QString& name);
   /// Requests to import segments of these files into the series of the Segments panel.
   void segmentsRequested(const QStringList& paths);
   /// The view in focus shows another series, or shows its series in another way.

@@ -1,5 +1,6 @@
 #include "ui/panels/archives_dialog.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLineEdit>
@@ -28,14 +29,17 @@ ArchivesDialog::ArchivesDialog(QWidget* parent)
     : QDialog(parent),
       list_(new QListWidget),
       fields_(new QWidget),
+      form_(new QFormLayout(fields_)),
+      kind_(choiceField({QStringLiteral("archiveKind"), tr("Protocol")}, {tr("DIMSE"), tr("DICOMweb")})),
       port_(wholeField({QStringLiteral("archivePort"), tr("Port")}, 1, 65535)),
       told_(wrappedLabel(QStringLiteral("archiveTold"))) {
   setObjectName(QStringLiteral("archivesDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Archives"));
+  resize(700, 320);
   list_->setObjectName(QStringLiteral("archiveList"));
   list_->setAccessibleName(tr("Archives"));
-  fields_->setLayout(form());
+  fillForm();
   auto* add = buttonOf<QPushButton>(QStringLiteral("addArchive"), tr("Add"), [this] { this->add(); });
   auto* remove =
       buttonOf<QPushButton>(QStringLiteral("removeArchive"), tr("Remove"), [this] { this->remove(); });
@@ -45,10 +49,7 @@ ArchivesDialog::ArchivesDialog(QWidget* parent)
   auto* both = new QHBoxLayout;
   both->addLayout(left, 1);
   both->addWidget(fields_, 2);
-  stack(this,
-        {both, told_,
-         wrappedLabel({}, tr("The study list offers changed archives after the next start of the program."))},
-        12, 8);
+  stack(this, {both, told_}, 12, 8);
   makeButtons();
   const Result<Archives> read = readArchives(userArchivesFile());
   if (read) archives_ = *read;
@@ -62,12 +63,15 @@ ArchivesDialog::ArchivesDialog(QWidget* parent)
     if (button->objectName() != QStringLiteral("cancelArchives")) button->setEnabled(false);
 }
 
-QLineEdit* ArchivesDialog::textField(const char* word, const QString& label, std::string Archive::*member) {
+QLineEdit* ArchivesDialog::addText(const char* word, const QString& label, std::string Archive::*member,
+                                   std::optional<ArchiveKind> kind) {
   auto* field = new QLineEdit;
   field->setObjectName(QStringLiteral("archive_") + QLatin1String(word));
   field->setProperty("word", QLatin1String(word));
   field->setAccessibleName(label);
+  form_->addRow(label, field);
   texts_.emplace_back(field, member);
+  if (kind) ofKind_.emplace_back(field, *kind);
   connect(field, &QLineEdit::textEdited, this, [this, member](const QString& text) {
     Archive* archive = chosen();
     if (!archive) return;
@@ -77,22 +81,40 @@ QLineEdit* ArchivesDialog::textField(const char* word, const QString& label, std
   return field;
 }
 
-QFormLayout* ArchivesDialog::form() {
-  auto* form = new QFormLayout;
-  form->setContentsMargins(0, 0, 0, 0);
-  const auto add = [&](const char* word, const QString& label, std::string Archive::*member) {
-    form->addRow(label, textField(word, label, member));
+void ArchivesDialog::fillForm() {
+  constexpr ArchiveKind dimse = ArchiveKind::dimse, web = ArchiveKind::dicomweb;
+  form_->setContentsMargins(0, 0, 0, 0);
+  addText("name", tr("Name"), &Archive::name);
+  form_->addRow(tr("Protocol"), kind_);
+  addText("host", tr("Host or address"), &Archive::host, dimse);
+  form_->addRow(tr("Port"), port_);
+  ofKind_.emplace_back(port_, dimse);
+  addText("calledAe", tr("AE title of the archive"), &Archive::calledAe, dimse);
+  addText("callingAe", tr("AE title of this program"), &Archive::callingAe, dimse);
+  addText("url", tr("URL"), &Archive::url, web);
+  addText("user", tr("User"), &Archive::user, web);
+  const auto addCommand = [this](const char* word, const QString& label, std::string Archive::*member,
+                                 const QString& tip) {
+    QLineEdit* field = addText(word, label, member, ArchiveKind::dicomweb);
+    field->setPlaceholderText(tr("such as: secret-tool lookup archive main"));
+    field->setToolTip(tip);
   };
-  add("name", tr("Name"), &Archive::name);
-  add("host", tr("Host or address"), &Archive::host);
-  form->addRow(tr("Port"), port_);
-  add("calledAe", tr("AE title of the archive"), &Archive::calledAe);
-  add("callingAe", tr("AE title of this program"), &Archive::callingAe);
-  form->addRow(buttonOf<QPushButton>(QStringLiteral("testArchive"), tr("Test"), [this] { test(); }));
+  addCommand("passwordCommand", tr("Password command"), &Archive::passwordCommand,
+             tr("Prints the password. The program keeps the command, not the password."));
+  addCommand("tokenCommand", tr("Token command"), &Archive::tokenCommand,
+             tr("Prints a bearer token, in place of user and password"));
+  form_->addRow(buttonOf<QPushButton>(QStringLiteral("testArchive"), tr("Test"), [this] { test(); }));
+  connect(kind_, &QComboBox::currentIndexChanged, this, [this](int kind) {
+    if (Archive* archive = chosen()) archive->kind = ArchiveKind(kind);
+    showFieldsOfKind(ArchiveKind(kind));
+  });
   connect(port_, &QSpinBox::valueChanged, this, [this](int port) {
     if (Archive* archive = chosen()) archive->port = port;
   });
-  return form;
+}
+
+void ArchivesDialog::showFieldsOfKind(ArchiveKind shown) {
+  for (const auto& [field, kind] : ofKind_) form_->setRowVisible(field, kind == shown);
 }
 
 void ArchivesDialog::makeButtons() {
@@ -120,8 +142,10 @@ void ArchivesDialog::showChosen() {
   fields_->setEnabled(archive);
   const Archive shown = archive ? *archive : Archive();
   for (const auto& [field, member] : texts_) field->setText(QString::fromStdString(shown.*member));
-  const QSignalBlocker blocker(port_);
+  const QSignalBlocker port(port_), kind(kind_);
   port_->setValue(shown.port);
+  kind_->setCurrentIndex(int(shown.kind));
+  showFieldsOfKind(shown.kind);
 }
 
 void ArchivesDialog::add() {
@@ -139,36 +163,39 @@ void ArchivesDialog::remove() {
   showChosen();
 }
 
-QString ArchivesDialog::problemOf(const Archive& archive) const {
-  const Result<Archives> parsed = parseArchives(archivesToJson({{archive}}));
-  if (parsed) return {};
-  const QString problem = QString::fromStdString(parsed.message()).remove(QStringLiteral("archives[0]."));
-  for (const auto& [field, member] : texts_)
-    if (const QString word = field->property("word").toString(); problem.startsWith(word + QLatin1Char(' ')))
-      return field->accessibleName() + problem.mid(word.size());
-  return problem;
+QString ArchivesDialog::inWords(const std::string& problem) const {
+  QString sentence = QString::fromStdString(problem).remove(QStringLiteral("archives[0]."));
+  for (const auto& [field, member] : texts_) {
+    const QString word = field->property("word").toString(),
+                  quoted = QLatin1Char('"') + word + QLatin1Char('"');
+    if (sentence.startsWith(word + QLatin1Char(' ')))
+      sentence.replace(0, word.size(), field->accessibleName());
+    sentence.replace(quoted, QLatin1Char('"') + field->accessibleName() + QLatin1Char('"'));
+  }
+  return sentence;
 }
 
+// Tests the archive as it would be read from the file.
 void ArchivesDialog::test() {
   tests_.giveUpAll();
-  const Archive archive = *chosen();
-  if (const QString problem = problemOf(archive); !problem.isEmpty()) return told_->setText(problem);
+  const Result<Archives> parsed = parseArchives(archivesToJson({{*chosen()}}));
+  if (!parsed) return told_->setText(inWords(parsed.message()));
   told_->setText(tr("Testing..."));
   tests_.run(
-      {}, [archive](const Job& job) { return testArchive(archive, job.cancel()); },
-      [this, archive](const Status& answers) {
-        told_->setText(answers ? tr("The archive \"%1\" answers.").arg(QString::fromStdString(archive.name))
-                               : QString::fromStdString(answers.message()));
+      {}, [archive = parsed->archives[0]](const Job& job) { return testArchive(archive, job.cancel()); },
+      [this, name = parsed->archives[0].name](const Status& answers) {
+        told_->setText(answers ? tr("The archive \"%1\" answers.").arg(QString::fromStdString(name))
+                               : inWords(answers.message()));
       });
 }
 
 // Chooses the first archive that is not valid, and tells why.
 bool ArchivesDialog::isValid() {
   for (std::size_t n = 0; n < archives_.archives.size(); ++n) {
-    const QString problem = problemOf(archives_.archives[n]);
-    if (problem.isEmpty()) continue;
+    const Result<Archives> parsed = parseArchives(archivesToJson({{archives_.archives[n]}}));
+    if (parsed) continue;
     list_->setCurrentRow(int(n));
-    told_->setText(problem);
+    told_->setText(inWords(parsed.message()));
     return false;
   }
   const Result<Archives> parsed = parseArchives(archivesToJson(archives_));

@@ -64,8 +64,11 @@ void PreferencesDialog::addFields(QFormLayout& form) {
   flag(QStringLiteral("referenceEnds"), tr("Reference lines of their first and last slices"),
        &Preferences::referenceEnds);
   flag(QStringLiteral("hideNames"), tr("Hide names, IDs, dates and file names"), &Preferences::hideNames);
-  auto* archives = buttonOf<QPushButton>(QStringLiteral("editArchives"), tr("Edit archives..."),
-                                         [this] { (new ArchivesDialog(this))->open(); });
+  auto* archives = buttonOf<QPushButton>(QStringLiteral("editArchives"), tr("Edit archives..."), [this] {
+    auto* dialog = new ArchivesDialog(this);
+    connect(dialog, &QDialog::accepted, this, &PreferencesDialog::archivesSaved);
+    dialog->open();
+  });
   archives->setAutoDefault(false);
   form.addRow(tr("Archives (PACS)"), archives);
 }

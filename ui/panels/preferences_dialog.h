@@ -14,6 +14,10 @@ class PreferencesDialog : public QDialog {
  public:
   explicit PreferencesDialog(Session& session, QWidget* parent = nullptr);
 
+ Q_SIGNALS:
+  /// The user's list of archives was written.
+  void archivesSaved();
+
  private:
   void addFields(QFormLayout& form);
   void askToRestore();

@@ -114,7 +114,7 @@ void SeriesStrip::wantVisible() {
 QStringList SeriesStrip::mimeTypes() const { return {draggedSeriesType}; }
 
 QMimeData* SeriesStrip::mimeData(const QList<QListWidgetItem*>& items) const {
-  return items.isEmpty() ? nullptr : draggedChoice(choiceOf(items.front()));
+  return items.isEmpty() ? nullptr : draggedChoice({source_, choiceOf(items.front())});
 }
 
 void SeriesStrip::resizeEvent(QResizeEvent* event) {

@@ -14,6 +14,8 @@ class SeriesStrip : public QListWidget {
  public:
   explicit SeriesStrip(QWidget* parent = nullptr);
 
+  /// Sets the key of the source whose series are shown.
+  void setSource(const QString& key) { source_ = key; }
   /// Shows the series of a study. 0 and null show nothing.
   void showStudy(std::int64_t study, const SeriesListPtr& series);
   std::int64_t study() const { return study_; }
@@ -39,6 +41,7 @@ class SeriesStrip : public QListWidget {
  private:
   void wantVisible();
 
+  QString source_;
   std::int64_t study_ = 0;
   SeriesListPtr series_ = std::make_shared<const std::vector<IndexedSeries>>();
   std::set<std::int64_t> made_;  // series whose thumbnail is set or does not exist

@@ -62,6 +62,8 @@ StudyBrowser::StudyBrowser(StudySources& sources, QWidget* parent)
   connect(strip_, &SeriesStrip::thumbnailsWanted, this,
           [this](const std::vector<std::int64_t>& series) { sources_.current().wantThumbnails(series); });
   connect(&sources_, &StudySources::chosen, this, &StudyBrowser::showSource);
+  connect(&sources_, &StudySources::offeredChanged, this, &StudyBrowser::showSources);
+  showSources();
   listen();
   setFocusProxy(tree_);
   setTabOrder(search_, tree_);
@@ -84,6 +86,8 @@ void StudyBrowser::listen() {
           });
   connect(source, &StudySource::thumbnailMade, listening_.get(),
           [this](qint64 series, const QImage& thumbnail) { strip_->setThumbnail(series, thumbnail); });
+  model_->setSource(source->key());
+  strip_->setSource(source->key());
   import_->setVisible(source->canImport());
   ask_.setInterval(source->isRemote() ? askRemoteAfterMs : askAfterMs);
   search_->setPlaceholderText(source->isRemote()
@@ -283,6 +287,7 @@ void StudyBrowser::showMenu(QWidget* from, QPoint position) {
     for (const bool beside : {false, true})
       menu->addAction(beside ? tr("Open beside") : tr("Open"), this,
                       [this, choice, isOffline, beside] { open(choice, isOffline, beside); });
+  addSending(menu, choice, series);
   if (sources_.current().canRemove() && !model_->studiesOf(index).empty())
     menu->addAction(tr("Remove from list"), this, &StudyBrowser::removeChosen);
   if (from == tree_) columns_->addTo(menu->addMenu(tr("Columns")));

@@ -12,6 +12,7 @@ class QFrame;
 class QLabel;
 class QLineEdit;
 class QListWidgetItem;
+class QMenu;
 class QPushButton;
 class QTreeView;
 
@@ -38,12 +39,14 @@ class StudyBrowser : public QWidget {
   void clearSearch();
   /// Returns whether there is nothing to list here. Archives may have studies.
   bool isEmpty() const {
-    return sources_.all().size() < 2 && model_->list().patients.empty() && shown_.words.empty();
+    return sources_.offered().size() < 2 && model_->list().patients.empty() && shown_.words.empty();
   }
 
  Q_SIGNALS:
   /// If `beside`, the series on screen stay.
   void openRequested(const volumen::IndexedChoice& choice, bool beside);
+  /// Requests to send a study or series of the listed source, called `name`, to an archive.
+  void sendRequested(const volumen::IndexedChoice& choice, const QString& name);
   /// The user chose a study or series whose files are offline.
   void offlineRequested();
   void importRequested();
@@ -68,6 +71,7 @@ class StudyBrowser : public QWidget {
   void makeTree();
   void makeRemovedBar();
   void makeSourceBox();
+  void showSources();
   void listen();
   void showSource();
   void ask();
@@ -85,6 +89,7 @@ class StudyBrowser : public QWidget {
   void openBest(const QModelIndex& row, bool beside);
   void removeChosen();
   void showMenu(QWidget* from, QPoint position);
+  void addSending(QMenu* menu, const IndexedChoice& choice, const IndexedSeries* series);
   bool searchKey(QKeyEvent* event);
   bool listKey(QObject* watched, QKeyEvent* event, bool isPress);
 

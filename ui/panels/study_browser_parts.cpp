@@ -1,19 +1,44 @@
 #include <QHeaderView>
 #include <QLineEdit>
+#include <QMenu>
 #include <QTreeView>
+#include <algorithm>
 
+#include "results/text/text.h"
 #include "ui/panels/series_strip.h"
 #include "ui/panels/study_browser.h"
 #include "ui/panels/study_columns.h"
 #include "ui/widgets/fields.h"
+#include "ui/workspace/indexed_text.h"
 
 namespace volumen {
 
+namespace {
+
+// Returns null if the study is not in the list.
+const IndexedStudy* studyIn(const StudyList& list, std::int64_t id) {
+  for (const ListedPatient& patient : list.patients)
+    for (const IndexedStudy& study : patient.studies)
+      if (study.id == id) return &study;
+  return nullptr;
+}
+
+}  // namespace
+
 void StudyBrowser::makeSourceBox() {
-  for (const auto& source : sources_.all()) sourceBox_->addItem(source->name());
-  if (sources_.all().size() < 2) sourceBox_->hide();
+  sourceBox_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
   connect(sourceBox_, &QComboBox::currentIndexChanged, this,
           [this](int n) { sources_.choose(std::size_t(n)); });
+}
+
+void StudyBrowser::showSources() {
+  const QSignalBlocker blocker(sourceBox_);
+  const std::vector<StudySource*>& offered = sources_.offered();
+  QStringList names;
+  for (const StudySource* source : offered) names << source->name();
+  setItems(sourceBox_, names);
+  sourceBox_->setCurrentIndex(int(std::ranges::find(offered, &sources_.current()) - offered.begin()));
+  sourceBox_->setVisible(offered.size() > 1);
 }
 
 QLayout* StudyBrowser::searchRow() {
@@ -57,6 +82,21 @@ void StudyBrowser::makeTree() {
   for (QWidget* list : {static_cast<QWidget*>(tree_), static_cast<QWidget*>(strip_)})
     connect(list, &QWidget::customContextMenuRequested, this,
             [this, list](QPoint position) { showMenu(list, position); });
+}
+
+// Only files of this machine can be sent.
+void StudyBrowser::addSending(QMenu* menu, const IndexedChoice& choice, const IndexedSeries* series) {
+  const IndexedStudy* study = studyIn(model_->list(), choice.study);
+  if (!study || !sources_.current().filesOf(choice)) return;
+  QStringList name{patientNameText(study->patientName), dateText(study->date), shownText(study->description)};
+  if (series) name << seriesNameText(*series) << contentText(*series);
+  name.removeAll(QString());
+  const bool isOffline = series ? series->offline : study->offline;
+  menu->addAction(tr("Send to archive..."), this,
+                  [this, choice, isOffline, name = name.join(QStringLiteral(", "))] {
+                    if (isOffline) return Q_EMIT offlineRequested();
+                    Q_EMIT sendRequested(choice, name);
+                  });
 }
 
 void StudyBrowser::makeRemovedBar() {

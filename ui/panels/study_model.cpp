@@ -4,6 +4,8 @@
 #include <QLocale>
 #include <QMimeData>
 #include <QPalette>
+#include <QUrl>
+#include <QUuid>
 #include <algorithm>
 #include <tuple>
 
@@ -26,7 +28,11 @@ RowKind kindOf(const QModelIndex& index) { return RowKind(index.internalId() & 3
 int topOf(const QModelIndex& index) { return int(index.internalId() >> 2 & 0xffffffffu); }
 int studyOf(const QModelIndex& index) { return int(index.internalId() >> 34); }
 
-constexpr const char* choicePrefix = "index:";
+// Tells choices of this program from those of others, whose numbers mean other studies.
+const QByteArray& programToken() {
+  static const QByteArray token = QUuid::createUuid().toByteArray(QUuid::WithoutBraces);
+  return token;
+}
 
 QString marked(bool hasWarnings, const QString& text) {
   return hasWarnings ? QStringLiteral("! ") + text : text;
@@ -82,18 +88,20 @@ QString seriesCell(const IndexedSeries& series, StudyColumn column) {
 
 }  // namespace
 
-QMimeData* draggedChoice(const IndexedChoice& choice) {
+// "TOKEN:KEY:STUDY:SERIES", the key in percent-encoding.
+QMimeData* draggedChoice(const SourceChoice& choice) {
   auto* dragged = new QMimeData;
-  dragged->setData(draggedSeriesType, choicePrefix + QByteArray::number(qint64(choice.study)) + ':' +
-                                          QByteArray::number(qint64(choice.series)));
+  const QByteArrayList parts{programToken(), QUrl::toPercentEncoding(choice.source),
+                             QByteArray::number(qint64(choice.choice.study)),
+                             QByteArray::number(qint64(choice.choice.series))};
+  dragged->setData(draggedSeriesType, parts.join(':'));
   return dragged;
 }
 
-std::optional<IndexedChoice> choiceIn(const QMimeData& dragged) {
-  const QByteArray said = dragged.data(draggedSeriesType);
-  const QList<QByteArray> parts = said.split(':');
-  if (!said.startsWith(choicePrefix) || parts.size() != 3) return {};
-  return IndexedChoice{parts[1].toLongLong(), parts[2].toLongLong()};
+std::optional<SourceChoice> choiceIn(const QMimeData& dragged) {
+  const QByteArrayList parts = dragged.data(draggedSeriesType).split(':');
+  if (parts.size() != 4 || parts[0] != programToken()) return {};
+  return SourceChoice{QUrl::fromPercentEncoding(parts[1]), {parts[2].toLongLong(), parts[3].toLongLong()}};
 }
 
 StudyModel::StudyModel(QObject* parent) : QAbstractItemModel(parent) {}
@@ -365,7 +373,7 @@ Qt::ItemFlags StudyModel::flags(const QModelIndex& index) const {
 QStringList StudyModel::mimeTypes() const { return {draggedSeriesType}; }
 
 QMimeData* StudyModel::mimeData(const QModelIndexList& indexes) const {
-  return indexes.isEmpty() ? nullptr : draggedChoice(choiceAt(indexes.front()));
+  return indexes.isEmpty() ? nullptr : draggedChoice({source_, choiceAt(indexes.front())});
 }
 
 }  // namespace volumen

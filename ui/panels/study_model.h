@@ -12,10 +12,16 @@ class QMimeData;
 
 namespace volumen {
 
-/// Makes the drag data of a choice of the index, under the mime type of all dragged series.
-QMimeData* draggedChoice(const IndexedChoice& choice);
-/// Returns the dragged choice, or nothing if something else is dragged.
-std::optional<IndexedChoice> choiceIn(const QMimeData& dragged);
+/// A choice in the list of a source, identified by its key.
+struct SourceChoice {
+  QString source;
+  IndexedChoice choice;
+};
+
+/// Makes the drag data of a choice, under the mime type of all dragged series.
+QMimeData* draggedChoice(const SourceChoice& choice);
+/// Returns the dragged choice. Nothing if something else, or a choice of another running program, is dragged.
+std::optional<SourceChoice> choiceIn(const QMimeData& dragged);
 
 /// Identifies a row of the study browser, also in a new list. A default key identifies no row.
 struct StudyRowKey {
@@ -32,6 +38,8 @@ class StudyModel : public QAbstractItemModel {
  public:
   explicit StudyModel(QObject* parent = nullptr);
 
+  /// Sets the key of the source whose studies are listed.
+  void setSource(const QString& key) { source_ = key; }
   /// Shows another list. Keeps known series but requests them again.
   void setList(const StudyListPtr& list, const StudySort& sort);
   const StudyList& list() const { return *list_; }
@@ -84,6 +92,7 @@ class StudyModel : public QAbstractItemModel {
   bool isOffline(const QModelIndex& index) const;
   bool isHere(const QModelIndex& index) const;
 
+  QString source_;
   StudyListPtr list_ = std::make_shared<const StudyList>();
   StudySort sort_;
   std::map<std::int64_t, SeriesListPtr> series_;  // series by study

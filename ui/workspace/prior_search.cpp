@@ -95,7 +95,7 @@ QString reservationText(const PriorSearch& search, const std::string& shownDay) 
 }  // namespace
 
 PriorStep begunSearch(const Workspace& workspace, const SeriesPicture& picture,
-                      const std::vector<const Series*>& open, int sources) {
+                      const std::vector<const Series*>& open, const std::set<int>& sources) {
   PriorStep step{.search = {.series = *picture.series, .frame = picture.frame},
                  .shown = priorOf(picture, open)};
   PriorSearch& search = step.search;
@@ -104,7 +104,7 @@ PriorStep begunSearch(const Workspace& workspace, const SeriesPicture& picture,
     search.mayOpen = isOnScreen(workspace, *step.shown.series);
   }
   if (!search.series.patientId.empty()) {
-    for (int n = 0; n < sources; ++n) search.asked.insert(n);
+    search.asked = sources;
   } else if (!step.shown) {
     step.warned =
         tr("No earlier study of this patient is open, and without a patient ID none is opened from the list "

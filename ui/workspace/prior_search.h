@@ -46,9 +46,9 @@ struct PriorStep {
 };
 
 /// Returns the first step of a search for the prior of a picture. An open prior is shown at once. The sources
-/// in `search.asked`, numbered from 0, are to be asked.
+/// in `search.asked`, numbers of `sources`, are to be asked.
 PriorStep begunSearch(const Workspace& workspace, const SeriesPicture& picture,
-                      const std::vector<const Series*>& open, int sources);
+                      const std::vector<const Series*>& open, const std::set<int>& sources);
 
 /// Returns the step after the answer of a source. The last answer opens the first candidate.
 PriorStep withAnswer(PriorSearch search, const Workspace& workspace, const std::vector<const Series*>& open,

@@ -40,7 +40,9 @@ Act desk(const std::function<void(Desk&)>& change) {
   };
 }
 Act sources(int count) {
-  return desk([count](Desk& d) { d.sources = count; });
+  return desk([count](Desk& d) {
+    for (int n = 0; n < count; ++n) d.sources.insert(n);
+  });
 }
 Act prior(const char* day) {
   return desk([day](Desk& d) { d.open.push_back(headOf(day)); });

@@ -30,7 +30,7 @@ Series headOf(const char* day, const char* part = "HEAD");
 struct Desk {
   std::vector<Series> open{headOf(today)};
   Workspace workspace = withSeries(withLayout({}, Layout::two), firstComparedId, open[0], {});
-  int sources = 1;
+  std::set<int> sources{0};
   PriorSearch search{};
 
   std::vector<const Series*> pictures() const { return pointersTo(open); }

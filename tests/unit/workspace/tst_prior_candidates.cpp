@@ -146,7 +146,7 @@ void TestPriorCandidates::thePictureOfAStackIsKept() {
                              mammogramOf("R", "CC", of24)});
   Desk d;
   d.show(stacks.series[0], 0);
-  PriorSearch search = begunSearch(d.workspace, {&stacks.series[0], 1}, {&stacks.series[0]}, 1).search;
+  PriorSearch search = begunSearch(d.workspace, {&stacks.series[0], 1}, {&stacks.series[0]}, {0}).search;
   search.stage = PriorSearch::Stage::reading;
   const PriorStep step = withStudyRead(search, d.workspace, {&stacks.series[1]});
   QCOMPARE(step.search.frame, 1);
