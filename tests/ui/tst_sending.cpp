@@ -95,7 +95,7 @@ void TestSending::theSeriesInTheViewIsSent() {
   archive.name = "second";
   archive.host = "127.0.0.1", archive.port = peer.port(), archive.calledAe = "ORTHANC";
   if (isWeb) {
-    archive = {.name = "second", .kind = ArchiveKind::dicomweb};
+    archive.kind = ArchiveKind::dicomweb;
     archive.url = peer.url().toStdString(), archive.user = "alice", archive.passwordCommand = "echo secret";
   }
   const ListedArchives list(Archives{{ListedArchives::archiveAt(1), archive}});

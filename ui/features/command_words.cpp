@@ -16,6 +16,7 @@ const std::map<QString, QString>& table() {
       {QStringLiteral("importFolder"), QObject::tr("add archive PACS database")},
       {QStringLiteral("showBrowser"), QObject::tr("worklist patients archive database PACS")},
       {QStringLiteral("sendToArchive"), QObject::tr("PACS upload store export C-STORE STOW DICOM")},
+      {QStringLiteral("receiveStudies"), QObject::tr("PACS listen listener Storage SCP C-STORE node")},
       {QStringLiteral("saveSession"), QObject::tr("save project workspace presentation state")},
       {QStringLiteral("hideNames"), QObject::tr("anonymise anonymize de-identify deidentify privacy GDPR")},
       {QStringLiteral("savePicture"), QObject::tr("screenshot export image PNG JPEG capture")},

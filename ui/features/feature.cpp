@@ -30,6 +30,7 @@ const std::vector<FeatureEntry>& features() {
       {"printing", makePrinting},
       {"snapshots", makeSnapshots},
       {"sending", makeSending},
+      {"receiving", makeReceiving},
       {"measuring", makeMeasuring},
       {"measurement charts", makeMeasurementCharts},
       {"curved planes", makeCurvedPlanes},

@@ -82,6 +82,7 @@ std::unique_ptr<Feature> makeScenes(Workbench& bench);
 std::unique_ptr<Feature> makeSecondWindow(Workbench& bench);
 std::unique_ptr<Feature> makeSegmenting(Workbench& bench);
 std::unique_ptr<Feature> makeSegmentRecipes(Workbench& bench);
+std::unique_ptr<Feature> makeReceiving(Workbench& bench);
 std::unique_ptr<Feature> makeSending(Workbench& bench);
 std::unique_ptr<Feature> makeSessions(Workbench& bench);
 std::unique_ptr<Feature> makeSnapshots(Workbench& bench);

@@ -32,6 +32,7 @@ struct Preferences {
   bool referenceLines = true;  ///< planes of other views
   bool referenceEnds = false;  ///< also their first and last slices
   bool hideNames = false;
+  bool receives = false;                     ///< listens for studies that others send
   bool tableIn3d = false;                    ///< CT only
   PetUnit petUnit = PetUnit::suvBodyWeight;  ///< if available
   int memoryPercent = 25;  ///< part of the machine's memory for series that are not on screen

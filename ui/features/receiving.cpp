@@ -1,0 +1,110 @@
+#include "io/archive/receive_into_index.h"
+#include "ui/document/job_lane.h"
+#include "ui/features/feature.h"
+#include "ui/workspace/when_changed.h"
+
+namespace volumen {
+
+namespace {
+
+// Takes studies that others send into the study list, while the user wants that.
+class Receiving : public Feature {
+ public:
+  explicit Receiving(Workbench& bench);
+  ~Receiving() override { lane_.giveUpAll(); }
+
+ private:
+  void follow();
+  void start();
+  void refuse(const QString& sentence);
+  void showAssociation(const ReceivedAssociation& one);
+
+  QAction* action_;
+  JobLane lane_;
+};
+
+// Returns "3 images from PACS".
+QString imagesText(int count, const std::string& from) {
+  const QString sender = QString::fromStdString(from);
+  return count == 1 ? QObject::tr("1 image from %1").arg(sender)
+                    : QObject::tr("%1 images from %2").arg(QString::number(count), sender);
+}
+
+Receiving::Receiving(Workbench& bench)
+    : Feature(bench),
+      action_(bench.addAction({"receiveStudies",
+                               tr("Receive studies"),
+                               {},
+                               "",
+                               true,
+                               [this](bool on) {
+                                 session_.prefer([on](Preferences& p) { p.receives = on; });
+                                 follow();
+                               },
+                               {{"fileMenu", 50, 70}}})) {
+  whenChanged(session_, this, &Receiving::follow, &Preferences::receives);
+  follow();
+}
+
+void Receiving::follow() {
+  const bool isWanted = session_.preferences().receives;
+  action_->setChecked(isWanted);
+  if (!isWanted) return lane_.giveUpAll();
+  if (!lane_.isBusy()) start();
+}
+
+void Receiving::start() {
+  const Result<Archives> archives = readArchives(userArchivesFile());
+  if (!archives) return refuse(QString::fromStdString(archives.message()));
+  if (!archives->listen)
+    return refuse(tr("To receive studies, say in %1 where to listen: "
+                     "\"listen\": {\"ae\": \"VOLUMEN\", \"port\": 11112}.")
+                      .arg(QString::fromStdString(userArchivesFile())));
+  const Listening listening = *archives->listen;
+  const std::string index = bench_.services.indexFolder;
+  lane_.run(
+      {},
+      [this, listening, index](const Job& job) {
+        ReceiveEvents events;
+        events.onListening = [&] {
+          lane_.tell(job, [this, listening] {
+            tell(tr("Studies that others send to %1, port %2, are received.")
+                     .arg(QString::fromStdString(listening.ae))
+                     .arg(listening.port));
+          });
+        };
+        events.onEnded = [&](const ReceivedAssociation& one) {
+          lane_.tell(job, [this, one] { showAssociation(one); });
+        };
+        const auto onImported = [&](const Result<ImportReport>& imported) {
+          const QString problem = imported ? QString() : QString::fromStdString(imported.message());
+          lane_.tell([this, problem] {
+            if (!problem.isEmpty()) warn(problem);
+            if (StudySource* source = bench_.document.sources.importer()) Q_EMIT source->changed();
+          });
+        };
+        return receiveIntoIndex(listening, index, events, onImported, job.cancel());
+      },
+      [this](const Result<ReceiveReport>& ended) {
+        if (!ended) refuse(QString::fromStdString(ended.message()));
+      });
+}
+
+// The next start, or a click, tries again: another program may use the port.
+void Receiving::refuse(const QString& sentence) {
+  action_->setChecked(false);
+  warnUntilDone(sentence);
+}
+
+void Receiving::showAssociation(const ReceivedAssociation& one) {
+  if (one.stored > 0) tell(tr("Received %1.").arg(imagesText(one.stored, one.callingAe)));
+  if (one.refused > 0)
+    warn(tr("%1 could not be received: %2.")
+             .arg(imagesText(one.refused, one.callingAe), QString::fromStdString(one.problem)));
+}
+
+}  // namespace
+
+std::unique_ptr<Feature> makeReceiving(Workbench& bench) { return std::make_unique<Receiving>(bench); }
+
+}  // namespace volumen
