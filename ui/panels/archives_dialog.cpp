@@ -13,6 +13,7 @@
 #include "io/files/preset_files.h"
 #include "io/files/private_folder.h"
 #include "ui/widgets/fields.h"
+#include "ui/widgets/plain_text.h"
 
 namespace volumen {
 
@@ -97,7 +98,7 @@ void ArchivesDialog::fillForm() {
                                  const QString& tip) {
     QLineEdit* field = addText(word, label, member, ArchiveKind::dicomweb);
     field->setPlaceholderText(tr("such as: secret-tool lookup archive main"));
-    field->setToolTip(tip);
+    field->setToolTip(toolTipOf(tip));
   };
   addCommand("passwordCommand", tr("Password command"), &Archive::passwordCommand,
              tr("Prints the password. The program keeps the command, not the password."));
