@@ -157,7 +157,7 @@ int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
     if (Status s = addToIndex(options, request.folder, cancel); !s) return fail(s.message(), cancel);
   print(*report, request.folder, options.json);
   for (const std::string& problem : report->problems) std::cerr << "volumen: " << printable(problem) << '\n';
-  return report->missing.empty() ? exitDone : exitLosses;
+  return report->isAll() ? exitDone : exitLosses;
 }
 
 nlohmann::ordered_json listJson(const std::vector<Refused>& files) {

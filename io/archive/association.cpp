@@ -19,6 +19,7 @@ namespace volumen {
 
 namespace {
 
+constexpr std::uint64_t mostBytesOfAssociation = 1 << 20;
 constexpr int connectSeconds = 5, associationSeconds = 10, silenceSeconds = 30;
 constexpr std::size_t mostContexts = 128;  // odd numbers up to 255 (PS3.8 9.3.2.2)
 
@@ -210,6 +211,7 @@ Result<Association> Association::open(const Archive& archive, const std::vector<
                                services[n].sopClass.c_str(), syntaxes.data(), int(syntaxes.size()),
                                services[n].isReceived ? ASC_SC_ROLE_SCP : ASC_SC_ROLE_DEFAULT);
   }
+  p->watch.allow(mostBytesOfAssociation, std::chrono::seconds(associationSeconds + connectSeconds));
   const OFCondition done = ASC_requestAssociation(p->network, parameters, &p->association);
   if (done.bad()) {
     const Error error = p->failure(done, parameters);
@@ -217,6 +219,7 @@ Result<Association> Association::open(const Archive& archive, const std::vector<
     return error;
   }
   p->associated = true;
+  p->watch.allow(mostBytesOfCommand, std::chrono::hours(24));
   p->watch.silence = std::chrono::seconds(silenceSeconds);
   return Association(std::move(p));
 }
@@ -226,6 +229,7 @@ bool Association::offers(const std::string& sopClass) const { return p_->context
 Status Association::echo() {
   if (!offers(UID_VerificationSOPClass)) return p_->says("offers no verification (C-ECHO)");
   DIC_US status = 0;
+  p_->watch.allow(mostBytesOfCommand, p_->watch.silence);
   DcmDataset* detail = nullptr;
   const OFCondition done =
       DIMSE_echoUser(p_->association, p_->association->nextMsgID++, DIMSE_BLOCKING, 0, &status, &detail);
@@ -238,7 +242,7 @@ Status Association::echo() {
 namespace {
 
 // One answer lists a study, a series or an instance.
-constexpr std::uint64_t mostBytesOfAnswer = 16 << 20;
+constexpr std::uint64_t mostBytesOfAnswer = mostBytesOfCommand;
 constexpr std::chrono::minutes mostTimeOfAnswer{2};
 constexpr int mostAfterCancel = 10000;
 

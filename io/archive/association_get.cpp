@@ -3,16 +3,17 @@
 #include <dcmtk/dcmdata/dcdatset.h>
 
 #include <cstring>
-#include <limits>
 
 #include "io/archive/association_private.h"
 #include "io/archive/receive_data_set.h"
+#include "io/dicom/instance_uids.h"
 
 namespace volumen {
 
 namespace {
 
-constexpr std::uint64_t mostBytesOfAnswers = 64 << 20;
+constexpr std::uint64_t mostBytesOfInstance = std::uint64_t(4) << 30;
+constexpr int mostUnwanted = 1000, mostPending = 100000;  // instances and answers, one after the other
 // Some archives fetch from tapes before they send the first instance.
 constexpr std::chrono::minutes mostSilenceOfMove{10};
 
@@ -41,9 +42,10 @@ std::string retrievalRefusal(unsigned status) {
 // One retrieval.
 class Retrieval {
  public:
-  Retrieval(T_ASC_Association* association, T_ASC_PresentationContextID context, DIC_US message,
-            InstanceSink& sink)
-      : association_(association), context_(context), message_(message), sink_(sink) {}
+  // Without a sink no instances come over this association (C-MOVE).
+  Retrieval(T_ASC_Association* association, Watch& watch, T_ASC_PresentationContextID context, DIC_US message,
+            InstanceSink* sink)
+      : association_(association), watch_(watch), context_(context), message_(message), sink_(sink) {}
 
   // Takes messages until the archive ends the retrieval. Sets `refusal` as retrievalRefusal() does.
   OFCondition take(std::string& refusal) {
@@ -51,18 +53,22 @@ class Retrieval {
       T_ASC_PresentationContextID context = 0;
       T_DIMSE_Message message{};
       DcmDataset* detail = nullptr;
+      watch_.allow(mostBytesOfCommand, std::chrono::hours(24));
       OFCondition done = DIMSE_receiveCommand(association_, DIMSE_BLOCKING, 0, &context, &message, &detail);
       delete detail;
       if (done.bad()) return done;
-      if (message.CommandField == DIMSE_C_STORE_RQ) {
+      if (sink_ && message.CommandField == DIMSE_C_STORE_RQ) {
         done = store(context, message.msg.CStoreRQ);
-      } else if (message.CommandField == DIMSE_C_GET_RSP) {
-        const T_DIMSE_C_GetRSP& response = message.msg.CGetRSP;
-        done = skipDataSet(association_, response.DataSetType);
-        if (done.good() && response.DimseStatus != pending) {
-          refusal = retrievalRefusal(response.DimseStatus);
+      } else if (message.CommandField == (sink_ ? DIMSE_C_GET_RSP : DIMSE_C_MOVE_RSP)) {
+        const bool isGet = sink_ != nullptr;
+        const unsigned status = isGet ? message.msg.CGetRSP.DimseStatus : message.msg.CMoveRSP.DimseStatus;
+        done = skipDataSet(association_,
+                           isGet ? message.msg.CGetRSP.DataSetType : message.msg.CMoveRSP.DataSetType);
+        if (done.good() && status != pending) {
+          refusal = retrievalRefusal(status);
           return done;
         }
+        if (++pending_ > mostPending) return endless();
       } else {
         return makeOFCondition(OFM_dcmnet, DIMSEC_UNEXPECTEDREQUEST, OF_error, "unexpected message");
       }
@@ -74,11 +80,18 @@ class Retrieval {
   const Status& problem() const { return problem_; }
 
  private:
-  static constexpr unsigned pending = 0xff00, outOfResources = 0xa700;
+  static constexpr unsigned pending = 0xff00, outOfResources = 0xa700, notUnderstood = 0xc000;
+
+  static OFCondition endless() {
+    return makeOFCondition(OFM_dcmnet, DIMSEC_UNEXPECTEDREQUEST, OF_error,
+                           "sends without end what was not asked for");
+  }
 
   OFCondition store(T_ASC_PresentationContextID context, const T_DIMSE_C_StoreRQ& request) {
     OFCondition done = EC_Normal;
-    const Result<std::string> path = problem_ ? sink_.begin() : problem_.error();
+    watch_.allow(mostBytesOfInstance, std::chrono::hours(24));
+    isKept_ = false;
+    const Result<std::string> path = problem_ ? sink_->begin() : problem_.error();
     if (path)
       done = receive(context, request, *path);
     else
@@ -86,7 +99,10 @@ class Retrieval {
     if (done.bad()) return done;
     T_DIMSE_C_StoreRSP response{};
     response.MessageIDBeingRespondedTo = request.MessageID;
-    response.DimseStatus = problem_ ? 0 : outOfResources;
+    response.DimseStatus = DIC_US(!problem_ ? outOfResources : isKept_ ? 0 : notUnderstood);
+    unwanted_ = isKept_ ? 0 : unwanted_ + 1;
+    pending_ = 0;
+    if (problem_ && unwanted_ > mostUnwanted) return endless();
     response.DataSetType = DIMSE_DATASET_NULL;
     std::memcpy(response.AffectedSOPClassUID, request.AffectedSOPClassUID,
                 sizeof response.AffectedSOPClassUID);
@@ -105,10 +121,18 @@ class Retrieval {
                       const std::string& path) {
     bool isWritten = false;
     const OFCondition done = receiveDataSet(association_, context, request, path, isWritten);
-    if (done.bad() || !isWritten) sink_.drop();
+    if (done.bad() || !isWritten) sink_->drop();
     if (done.good() && !isWritten) refuse({path + " cannot be written: is the disk full?"});
-    if (done.good() && isWritten)
-      if (const Status s = sink_.end(request.AffectedSOPInstanceUID); !s) refuse(s.error());
+    if (done.bad() || !isWritten) return done;
+    // What the command says may be wrong; the data set counts.
+    const auto uids = dicom::instanceUids(path);
+    if (!uids) {
+      sink_->drop();
+    } else if (const Status s = sink_->end(*uids); !s) {
+      refuse(s.error());
+    } else {
+      isKept_ = sink_->has(uids->instance);
+    }
     return done;
   }
 
@@ -117,9 +141,12 @@ class Retrieval {
   }
 
   T_ASC_Association* association_;
+  Watch& watch_;
   const T_ASC_PresentationContextID context_;
   const DIC_US message_;
-  InstanceSink& sink_;
+  InstanceSink* const sink_;
+  int pending_ = 0, unwanted_ = 0;
+  bool isKept_ = false;
   Status problem_;
   bool cancelled_ = false;
 };
@@ -139,8 +166,7 @@ Result<std::string> Association::get(const std::string& model, DcmDataset& keys,
   OFCondition done =
       DIMSE_sendMessageUsingMemoryData(p_->association, context, &message, nullptr, &keys, nullptr, nullptr);
   std::string refusal;
-  p_->watch.allow(std::numeric_limits<std::uint64_t>::max(), std::chrono::hours(24));
-  Retrieval retrieval(p_->association, context, request.MessageID, sink);
+  Retrieval retrieval(p_->association, p_->watch, context, request.MessageID, &sink);
   if (done.good()) done = retrieval.take(refusal);
   if (done.bad()) {
     const Error failure = p_->failure(done);
@@ -154,23 +180,21 @@ Result<std::string> Association::move(const std::string& model, DcmDataset& keys
                                       const std::string& destination) {
   const T_ASC_PresentationContextID context = p_->contextOf(model);
   if (context == 0) return p_->says("offers no retrieval (C-MOVE)").message;
-  T_DIMSE_C_MoveRQ request{};
+  T_DIMSE_Message message{};
+  message.CommandField = DIMSE_C_MOVE_RQ;
+  T_DIMSE_C_MoveRQ& request = message.msg.CMoveRQ;
   request.MessageID = p_->association->nextMsgID++;
   std::strncpy(request.AffectedSOPClassUID, model.c_str(), sizeof request.AffectedSOPClassUID - 1);
   std::strncpy(request.MoveDestination, destination.c_str(), sizeof request.MoveDestination - 1);
   request.DataSetType = DIMSE_DATASET_PRESENT;
   request.Priority = DIMSE_PRIORITY_MEDIUM;
-  p_->watch.allow(mostBytesOfAnswers, std::chrono::hours(24));
+  OFCondition done =
+      DIMSE_sendMessageUsingMemoryData(p_->association, context, &message, nullptr, &keys, nullptr, nullptr);
   p_->watch.silence = mostSilenceOfMove;
-  T_DIMSE_C_MoveRSP response{};
-  DcmDataset *detail = nullptr, *failed = nullptr;
-  const OFCondition done =
-      DIMSE_moveUser(p_->association, context, &request, &keys, nullptr, nullptr, DIMSE_BLOCKING, 0, nullptr,
-                     nullptr, nullptr, &response, &detail, &failed, OFTrue);
-  delete detail;
-  delete failed;
+  std::string refusal;
+  Retrieval retrieval(p_->association, p_->watch, context, request.MessageID, nullptr);
+  if (done.good()) done = retrieval.take(refusal);
   if (done.bad()) return p_->failure(done);
-  const std::string refusal = retrievalRefusal(response.DimseStatus);
   return refusal.empty() ? refusal : p_->says(refusal).message;
 }
 

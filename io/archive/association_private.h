@@ -11,6 +11,10 @@
 
 namespace volumen {
 
+/// Most bytes of a command, or of an answer that is no instance. DCMTK reads nested sequences recursively:
+/// more than some 8,000 of them, of 16 bytes each, would overflow the stack.
+inline constexpr std::uint64_t mostBytesOfCommand = 100'000;
+
 /// What the files of Association share.
 struct Association::Private {
   Private(Archive to, const CancelToken& cancel);

@@ -13,11 +13,12 @@ namespace volumen {
 
 namespace {
 
-// Returns what a status of C-STORE means (PS3.4 B.2.3), as the end of a sentence; empty if it is stored. Some
-// warn that they changed something, or that they have it already.
+// Returns what a status of C-STORE means (PS3.4 B.2.3, PS3.7 C), as the end of a sentence; empty if it is
+// stored, with a warning or without.
 std::string storageRefusal(unsigned status) {
   constexpr unsigned duplicate = 0x0111;
-  if (status == 0 || status == duplicate || (status >= 0xb000 && status <= 0xbfff)) return "";
+  if (status == 0 || (status >= 0xb000 && status <= 0xbfff)) return "";
+  if (status == duplicate) return "has an image of this UID already, which may differ (status 0111)";
   if ((status & 0xff00) == 0xa700)
     return "says that it is out of resources (status " + statusText(status) + ")";
   if ((status & 0xff00) == 0xa900)
@@ -81,7 +82,7 @@ Result<std::string> Association::store(const dicom::InstanceUids& uids, const st
                sizeof request.AffectedSOPInstanceUID - 1);
   request.DataSetType = DIMSE_DATASET_PRESENT;
   request.Priority = DIMSE_PRIORITY_MEDIUM;
-  p_->watch.allow(1 << 20, std::chrono::hours(24));
+  p_->watch.allow(mostBytesOfCommand, std::chrono::hours(24));
   T_DIMSE_C_StoreRSP response{};
   DcmDataset* detail = nullptr;
   const OFCondition done = DIMSE_storeUser(association, context, &request, nullptr, data, nullptr, nullptr,

@@ -106,11 +106,11 @@ class DimseProtocol : public ArchiveProtocol {
   Status retrieve(const WantedInstances& wanted, InstanceSink& sink) override {
     finder_.reset();  // archives end what is idle
     const Status got = getAll(wanted, sink);
-    if (got || cancel_.cancelled() || !archive_.listen) return got;
     WantedInstances rest = wanted;
     std::erase_if(rest.instances, [&](const ListedInstance& one) { return sink.has(one.uid); });
+    if (rest.instances.empty() || cancel_.cancelled() || !archive_.listen) return got;
     rest.isWhole = wanted.isWhole && rest.instances.size() == wanted.instances.size();
-    return rest.instances.empty() ? Status() : moveFromArchive(archive_, rest, sink, cancel_);
+    return moveFromArchive(archive_, rest, sink, cancel_);
   }
 
  private:

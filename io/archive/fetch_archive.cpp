@@ -22,6 +22,7 @@ constexpr std::size_t mostInstances = 200000;
 
 struct ListedSeries {
   std::string modality;
+  int told = -1;  // number of instances, if the archive tells it
   std::vector<ListedInstance> instances;
 };
 
@@ -37,12 +38,13 @@ class Listing {
     SeriesByUid all;
     DcmDataset keys = keysAt("SERIES", request_.studyUid);
     putKey(keys, DCM_SeriesInstanceUID, request_.seriesUid);
-    askFor(keys, {DCM_Modality});
+    askFor(keys, {DCM_Modality, DCM_NumberOfSeriesRelatedInstances});
     const Status listed = list(keys, [&](const Answer& answer) {
       const std::string uid = answer.text(DCM_SeriesInstanceUID);
       const bool isWanted = isOf(answer, DCM_StudyInstanceUID, request_.studyUid) &&
                             (request_.seriesUid.empty() || uid == request_.seriesUid);
-      if (!uid.empty() && isWanted) all[uid].modality = answer.text(DCM_Modality);
+      if (!uid.empty() && isWanted)
+        all[uid] = {answer.text(DCM_Modality), answer.count(DCM_NumberOfSeriesRelatedInstances), {}};
       return all.size() < mostInstances;
     });
     if (!listed) return listed.error();
@@ -91,7 +93,7 @@ class Fetch {
       : protocol_(protocol), archive_(archive), request_(request), progress_(progress), cancel_(cancel) {}
 
   Result<FetchReport> operator()(const SeriesByUid& all) {
-    for (const auto& [uid, series] : all) report_.expected += int(series.instances.size());
+    for (const auto& [uid, series] : all) report_.expected += expectedOf(series);
     for (const auto& [uid, series] : all)
       if (Status s = fetchSeries(uid, series); !s) return s.error();
     if (report_.fetched + report_.alreadyHere == 0 && !report_.problems.empty())
@@ -104,24 +106,41 @@ class Fetch {
   Status fetchSeries(const std::string& seriesUid, const ListedSeries& series) {
     const std::string folder = request_.folder + "/" + nameForUid(seriesUid);
     if (Status s = makePrivateFolder(folder); !s) return s;
-    InstanceFolder files(folder, [&] {
+    InstanceFolder files(folder, request_.studyUid, seriesUid, [&] {
       if (progress_) progress_("fetching", ++stored_, std::size_t(report_.expected));
     });
+    const int before = filesIn(folder);
+    stored_ += std::size_t(before);
+    report_.alreadyHere += before;
     WantedInstances wanted{request_.studyUid, seriesUid, series.modality, series.instances};
-    std::erase_if(wanted.instances, [&](const ListedInstance& one) { return files.has(one.uid); });
+    // Some lists are shorter than what there is: then all is asked for.
+    if (series.told <= int(series.instances.size()) || before >= series.told)
+      std::erase_if(wanted.instances, [&](const ListedInstance& one) { return files.has(one.uid); });
     wanted.isWhole = wanted.instances.size() == series.instances.size();
-    report_.alreadyHere += int(series.instances.size() - wanted.instances.size());
     if (wanted.instances.empty()) return {};
     const Status retrieved = protocol_.retrieve(wanted, files);
     if (cancel_.cancelled()) return Error{"cancelled"};
-    bool isAll = true;
     for (const ListedInstance& one : wanted.instances)
-      files.has(one.uid) ? void(++report_.fetched) : (isAll = false, report_.missing.push_back(one.uid));
-    if (!isAll)
+      if (!files.has(one.uid)) report_.missing.push_back(one.uid);
+    const int after = filesIn(folder);
+    report_.fetched += after - before;
+    if (after < expectedOf(series))
       addProblem(retrieved ? "The archive \"" + archive_.name + "\" did not send all that it lists."
                            : retrieved.message());
     report_.bytes += files.bytesWritten();
     return {};
+  }
+
+  static int expectedOf(const ListedSeries& series) {
+    return std::max(series.told, int(series.instances.size()));
+  }
+
+  static int filesIn(const std::string& folder) {
+    int count = 0;
+    std::error_code error;
+    for (const auto& one : std::filesystem::directory_iterator(folder, error))
+      count += one.path().extension() == ".dcm";
+    return count;
   }
 
   void addProblem(const std::string& sentence) {

@@ -18,11 +18,12 @@ struct FetchRequest {
 };
 
 struct FetchReport {
-  int expected = 0;     ///< instances that the archive lists
+  int expected = 0;     ///< instances that the archive lists, or says that it has
   int fetched = 0;      ///< of them
   int alreadyHere = 0;  ///< of them, fetched before
+  bool isAll() const { return fetched + alreadyHere >= expected && missing.empty(); }
   std::uint64_t bytes = 0;
-  std::vector<std::string> missing;   ///< SOP Instance UIDs of the others
+  std::vector<std::string> missing;   ///< SOP Instance UIDs of the others, as far as they are listed
   std::vector<std::string> problems;  ///< why some are missing, sentences
 };
 

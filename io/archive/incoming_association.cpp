@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <mutex>
 
+#include "io/archive/association_private.h"
 #include "io/archive/offered_contexts.h"
 #include "io/archive/receive_data_set.h"
 #include "io/archive/watched_transport.h"
@@ -23,7 +24,6 @@ namespace {
 constexpr int requestSeconds = 3, idleSeconds = 30;
 constexpr std::chrono::seconds mostTimeOfRequest{10}, mostTimeOfFarewell{2};
 constexpr std::chrono::hours mostTimeOfInstance{1};
-constexpr std::uint64_t mostBytesOfCommand = 1 << 20;
 
 // DCMTK takes a socket that was accepted elsewhere from a variable of the process. This transport lets the
 // next thread set it as soon as the connection of this one is made, before anything is read from the peer.

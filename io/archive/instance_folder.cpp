@@ -22,10 +22,12 @@ Result<std::string> InstanceFolder::begin() {
   return written_->asidePath();
 }
 
-Status InstanceFolder::end(const std::string& sopInstanceUid) {
+Status InstanceFolder::end(const dicom::InstanceUids& uids) {
+  const bool isOfSeries = uids.study == studyUid_ && uids.series == seriesUid_ && !uids.instance.empty();
+  if (!isOfSeries || has(uids.instance)) return drop(), Status();
   std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(written_->asidePath(), ignored);
-  const Status kept = written_->commitAs(pathOf(sopInstanceUid));
+  const Status kept = written_->commitAs(pathOf(uids.instance));
   written_.reset();
   if (!kept) return kept;
   bytes_ += ignored ? 0 : size;

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "viewer/volume/result.h"
+#include "io/dicom/instance_uids.h"
 
 namespace volumen {
 
@@ -14,8 +14,9 @@ class InstanceSink {
   virtual bool has(const std::string& sopInstanceUid) const = 0;
   /// Returns the path of an empty file, into which the next instance is to be written.
   virtual Result<std::string> begin() = 0;
-  /// Keeps that file: it is complete.
-  virtual Status end(const std::string& sopInstanceUid) = 0;
+  /// Keeps that file, which is complete, unless it is of another series, or here already. `uids` are those of
+  /// its data set.
+  virtual Status end(const dicom::InstanceUids& uids) = 0;
   /// Deletes that file: it is not complete.
   virtual void drop() = 0;
 };

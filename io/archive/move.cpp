@@ -32,16 +32,14 @@ class MoveReception {
 
   // The Error: the port or the disk cannot be used.
   Status start() {
-    auto path = sink_.begin();
-    if (!path) return path.error();
-    sink_.drop();
-    // What comes is renamed, so it must be on the same disk.
-    const auto beside = std::filesystem::path(*path).parent_path() / "incoming-XXXXXX";
-    folder_ = std::make_unique<QTemporaryDir>(QString::fromStdString(beside.string()));
-    const ReceiveEvents events{
-        [this] { isListening_ = true; }, [this](const Received& one) { take(one); }, {}};
+    if (!folder_.isValid())
+      return Error{"No folder for what comes can be made: " + folder_.errorString().toStdString() + "."};
+    ReceiveEvents events;
+    events.onListening = [this] { isListening_ = true; };
+    events.onStored = [this](const Received& one) { take(one); };
+    events.wants = [this](const std::string& uid) { return wanted_.count(uid) > 0; };
     running_ = std::async(std::launch::async, [this, events] {
-      return receiveInstances(listening_, folder_->path().toStdString(), events, end_);
+      return receiveInstances(listening_, folder_.path().toStdString(), events, end_);
     });
     while (!isListening_)
       if (running_.wait_for(glance) == std::future_status::ready) return running_.get().error();
@@ -53,20 +51,34 @@ class MoveReception {
     if (running_.valid()) running_.wait();
   }
 
+  // Why this computer did not keep all that came.
+  const Status& problem() const { return problem_; }
+
  private:
   void take(const Received& one) {
-    if (!wanted_.count(one.sopInstanceUid) || sink_.has(one.sopInstanceUid)) return;
+    const Status kept = keep(one);
+    if (!kept && problem_) problem_ = kept;
+    std::error_code ignored;
+    std::filesystem::remove(one.path, ignored);
+  }
+
+  Status keep(const Received& one) {
+    if (sink_.has(one.sopInstanceUid)) return {};
     const auto path = sink_.begin();
+    if (!path) return path.error();
     std::error_code failed;
-    if (path) std::filesystem::rename(one.path, *path, failed);
-    if (!path || failed || !sink_.end(one.sopInstanceUid)) sink_.drop();
+    std::filesystem::copy_file(one.path, *path, std::filesystem::copy_options::overwrite_existing, failed);
+    if (!failed) return sink_.end({one.studyUid, one.seriesUid, one.sopInstanceUid, "", ""});
+    sink_.drop();
+    return Error{*path + " cannot be written: " + failed.message() + "."};
   }
 
   const Listening& listening_;
   InstanceSink& sink_;
   std::set<std::string> wanted_;
-  std::unique_ptr<QTemporaryDir> folder_;
+  QTemporaryDir folder_;
   std::atomic<bool> isListening_{false};
+  Status problem_;
   const CancelToken end_;
   std::future<Result<ReceiveReport>> running_;
 };
@@ -94,12 +106,15 @@ Status moveFromArchive(const Archive& archive, const WantedInstances& wanted, In
   auto association = Association::open(archive, {plainService(moveModel)}, cancel);
   if (!association) return association.error();
   MoveReception reception(listening, wanted, sink);
-  if (Status s = reception.start(); !s) return s;
+  // Where volumen receives already, what comes is filed in the same place.
+  const Status listens = reception.start();
   const Status moved = ask(*association, wanted, listening.ae);
   reception.stop();
   const bool isAll =
       std::ranges::all_of(wanted.instances, [&](const ListedInstance& one) { return sink.has(one.uid); });
   if (isAll) return {};
+  if (!listens) return listens;
+  if (!reception.problem()) return reception.problem();
   return Error{(moved ? "The archive \"" + archive.name + "\" did not send all." : moved.message()) +
                " It must know the AE title " + listening.ae + " at this machine's address, port " +
                std::to_string(listening.port) + "."};

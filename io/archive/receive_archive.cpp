@@ -48,8 +48,8 @@ class Listener {
   Listener(const Listening& listening, const std::string& folder, const ReceiveEvents& events,
            const CancelToken& cancel)
       : events_(events),
-        reception_{listening, cancel, [this](const Received& one) { onStored(one); }, ReceivedFiles(folder)} {
-  }
+        reception_{listening, cancel, [this](const Received& one) { onStored(one); },
+                   ReceivedFiles(folder, events.wants)} {}
   ~Listener() {
     if (socket_ >= 0) ::close(socket_);
   }

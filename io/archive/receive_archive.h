@@ -34,6 +34,8 @@ struct ReceiveEvents {
   std::function<void()> onListening;  ///< peers can connect from now on
   std::function<void(const Received&)> onStored;
   std::function<void(const ReceivedAssociation&)> onEnded;
+  /// Returns whether an instance of this UID is wanted; others are refused. If empty, all are.
+  std::function<bool(const std::string& sopInstanceUid)> wants;
 };
 
 /// What came while volumen listened.

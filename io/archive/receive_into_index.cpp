@@ -19,14 +19,17 @@ class Arrivals {
  public:
   void note(const std::string& studyFolder) {
     const std::scoped_lock one(mutex_);
-    last_[studyFolder] = Clock::now();
+    const auto now = Clock::now();
+    times_.try_emplace(studyFolder, Times{now, now}).first->second.last = now;
   }
-  // Returns those whose last instance came `quiet` ago or earlier, and forgets them.
+  // Returns those whose last instance came `quiet` ago or earlier, or that have waited for long, and forgets
+  // them.
   std::vector<std::string> take(Clock::duration quiet) {
+    constexpr std::chrono::seconds mostWait{30};
     const std::scoped_lock one(mutex_);
     std::vector<std::string> folders;
-    std::erase_if(last_, [&, latest = Clock::now() - quiet](const auto& arrival) {
-      if (arrival.second > latest) return false;
+    std::erase_if(times_, [&, now = Clock::now()](const auto& arrival) {
+      if (arrival.second.last > now - quiet && arrival.second.first > now - mostWait) return false;
       folders.push_back(arrival.first);
       return true;
     });
@@ -35,7 +38,10 @@ class Arrivals {
 
  private:
   std::mutex mutex_;
-  std::map<std::string, Clock::time_point> last_;
+  struct Times {
+    Clock::time_point first, last;
+  };
+  std::map<std::string, Times> times_;
 };
 
 }  // namespace
@@ -55,7 +61,12 @@ Result<ReceiveReport> receiveIntoIndex(const Listening& listening, const std::st
     if (events.onStored) events.onStored(one);
   };
   const auto add = [&](Clock::duration since) {
-    if (const auto folders = arrivals.take(since); !folders.empty()) onImported(index->import(folders));
+    const auto folders = arrivals.take(since);
+    if (folders.empty()) return;
+    const auto imported = index->import(folders);
+    onImported(imported);
+    if (!imported)
+      for (const std::string& folder : folders) arrivals.note(folder);
   };
   // The index belongs to this thread, so another one listens.
   auto receiving = std::async(std::launch::async, [&] {

@@ -61,6 +61,7 @@ Filed ReceivedFiles::file(OutputFile& instance) {
     return refusedWith(worker::isReasonOfMachine(uids.message()) ? outOfResources : notUnderstood,
                        "an image cannot be read: " + uids.message());
   if (const std::string lack = lackOf(*uids); !lack.empty()) return refusedWith(lacksUids, lack);
+  if (wants_ && !wants_(uids->instance)) return refusedWith(notAuthorized, "an image was not asked for");
   const std::string folder = folder_ + "/" + nameForUid(uids->study) + "/" + nameForUid(uids->series);
   if (Status s = makePrivateFolder(folder); !s) return refusedWith(outOfResources, s.message());
   Filed filed;

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <string>
 
@@ -21,16 +22,17 @@ struct Filed {
 };
 
 /// Statuses of C-STORE: nothing can be written; the data set lacks what it must have, or cannot be read;
-/// another instance has its UID.
+/// another instance has its UID; nobody asked for it.
 inline constexpr unsigned outOfResources = 0xa700, lacksUids = 0xa900, notUnderstood = 0xc000,
-                          isDuplicate = 0x0111;
+                          isDuplicate = 0x0111, notAuthorized = 0x0124;
 
 /// A folder in which instances are filed as STUDY/SERIES/INSTANCE.dcm, each whole or not at all. The names
 /// are made of their UIDs (nameForUid()). Several threads may use it at once.
 class ReceivedFiles {
  public:
   /// `folder` must exist.
-  explicit ReceivedFiles(std::string folder) : folder_(std::move(folder)) {}
+  ReceivedFiles(std::string folder, std::function<bool(const std::string&)> wants)
+      : folder_(std::move(folder)), wants_(std::move(wants)) {}
 
   /// Creates a file for the next instance, which has no place yet.
   Result<OutputFile> begin() const { return OutputFile::create(folder_ + "/instance.dcm"); }
@@ -42,6 +44,7 @@ class ReceivedFiles {
   Filed keep(OutputFile& instance, Filed filed);
 
   const std::string folder_;
+  const std::function<bool(const std::string&)> wants_;  // see ReceiveEvents
   std::array<std::mutex, 64> places_;  // each guards some of the paths: peers may send one instance at once
 };
 

@@ -179,7 +179,7 @@ std::vector<StudyKeys> questionsFor(const std::vector<SearchWord>& words) {
   for (const std::string& way : ways) ask(&StudyKeys::patientName, part(way));
   for (const std::string& way : ways) ask(&StudyKeys::description, part(way));
   // Identifiers are short codes.
-  for (const std::string& way : {text, upper(text), lower(text)})
+  for (const std::string& way : ways)
     if (asciiPattern(way) == way)
       ask(&StudyKeys::patientId, part(way)), ask(&StudyKeys::accessionNumber, part(way));
   if (const auto all = std::ranges::find(questions, StudyKeys()); all != questions.end())

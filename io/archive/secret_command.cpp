@@ -1,5 +1,8 @@
 #include "io/archive/secret_command.h"
 
+#include <signal.h>
+#include <unistd.h>
+
 #include <QElapsedTimer>
 #include <QProcess>
 
@@ -11,13 +14,14 @@ Result<std::string> outputOf(const std::string& command, const CancelToken& canc
   QProcess shell;
   shell.setProcessChannelMode(QProcess::ForwardedErrorChannel);
   shell.setStandardInputFile(QProcess::nullDevice());
+  shell.setChildProcessModifier([] { ::setpgid(0, 0); });
   shell.start(QStringLiteral("/bin/sh"), {QStringLiteral("-c"), QString::fromStdString(command)});
   QElapsedTimer time;
   time.start();
   while (shell.state() != QProcess::NotRunning && !shell.waitForFinished(lookEveryMs)) {
     const bool isLate = time.elapsed() > mostMs || shell.bytesAvailable() > mostBytes;
     if (!isLate && !cancel.cancelled()) continue;
-    shell.kill();
+    ::kill(-pid_t(shell.processId()), SIGKILL);  // and what it started
     shell.waitForFinished();
     if (cancel.cancelled()) return Error{"was cancelled."};
     return Error{"does not end: it must print one line."};

@@ -68,8 +68,9 @@ class Stow {
             return {};
           });
       if (!answer) return answer.error();
-      const bool isTooLarge = answer->status == 413 || answer->status == 400;
-      if (isTooLarge && end - first > 1) {
+      // One of many may be what it cannot take.
+      const bool isRefused = answer->status == 413 || answer->status == 400 || answer->status >= 500;
+      if (isRefused && end - first > 1) {
         atOnce_ = (end - first) / 2;
         continue;
       }
@@ -104,10 +105,10 @@ class Stow {
     for (std::size_t n = first; n < end; ++n) {
       const std::string& uid = instances_[n].uids.instance;
       const auto why = refused.find(uid);
-      if (kept.count(uid))
-        onSent_(n, "");
-      else if (why != refused.end())
+      if (why != refused.end())
         onSent_(n, why->second);
+      else if (kept.count(uid))
+        onSent_(n, "");
       else
         onSent_(n, exchange_
                        .says(answer.status == 413 ? "refuses it as too large (413)"
@@ -123,6 +124,7 @@ class Stow {
     const auto code = reason.get<std::int64_t>();
     if (code == 0x0122) return ": it does not keep this class";
     if (code == 0xa700) return ": it has no room";
+    if (code == 45070) return ": it has an image of this UID already, which may differ (reason 45070)";
     if (code == 0x0110) return ": it could not process it (reason 272)";
     return " with reason " + std::to_string(code);
   }

@@ -21,7 +21,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 using std::chrono::milliseconds, std::chrono::seconds;
 
-constexpr seconds connectTime{5}, silenceTime{30}, mostTimeOfPause{30};
+// Archives may work for minutes on what they were sent.
+constexpr seconds connectTime{5}, silenceTime{30}, silenceAfterUpload{300}, mostTimeOfPause{30};
 constexpr milliseconds lookEvery{20};
 constexpr int mostTries = 4, mostRedirects = 5;
 constexpr qint64 bytesAtOnce = 1 << 20;
@@ -35,6 +36,11 @@ bool hasBody(int status) { return (status >= 200 && status < 300) || status == 4
 bool isSameHost(const QUrl& a, const QUrl& b) {
   return a.scheme() == b.scheme() && a.host() == b.host() &&
          a.port(a.scheme() == u"https" ? 443 : 80) == b.port(b.scheme() == u"https" ? 443 : 80);
+}
+
+std::string placeOf(const QUrl& url) {
+  return url.toString(QUrl::RemovePath | QUrl::RemoveQuery | QUrl::RemoveFragment | QUrl::RemoveUserInfo)
+      .toStdString();
 }
 
 std::string sha256Of(const QSslCertificate& certificate) {
@@ -91,7 +97,8 @@ class Request {
 
   void watch() {
     if (cancel_.cancelled()) return end(Error{"cancelled"});
-    const seconds limit = hasConnection_ ? silenceTime : connectTime;
+    const bool isUpload = reply_->operation() == QNetworkAccessManager::PostOperation;
+    const seconds limit = !hasConnection_ ? connectTime : isUpload ? silenceAfterUpload : silenceTime;
     if (Clock::now() - last_ < limit) return;
     end(says("does not answer within " + std::to_string(limit.count()) + " s" +
              (hasConnection_ ? "" : ": is the address right, and does a firewall let it pass?")));
@@ -117,6 +124,7 @@ class Request {
     a.status = reply_->attribute(QNetworkRequest::HttpStatusCodeAttribute).toInt();
     a.contentType = reply_->rawHeader("Content-Type").toStdString();
     a.isPart = reply_->rawHeader("Warning").trimmed().startsWith("299");
+    a.isMeasured = reply_->hasRawHeader("Content-Length") || reply_->hasRawHeader("Transfer-Encoding");
     return a;
   }
 
@@ -138,11 +146,13 @@ class Request {
     Outcome out;
     out.answer = answer();
     out.problem = problem_;
-    const QUrl target = reply_->header(QNetworkRequest::LocationHeader).toUrl();
-    if (isRedirect(out.answer.status)) out.redirect = reply_->url().resolved(target);
+    const QByteArray target = reply_->rawHeader("Location");
+    if (isRedirect(out.answer.status) && !target.isEmpty())
+      out.redirect = reply_->url().resolved(QUrl::fromEncoded(target));
     out.pause = seconds(reply_->rawHeader("Retry-After").toInt());
-    const bool isCut = out.answer.status != 0 && hasBody(out.answer.status) &&
-                       reply_->error() != QNetworkReply::NoError && reply_->error() < 200;
+    // What cannot be unpacked is an error of a good status, too.
+    const bool isCut =
+        out.answer.status >= 200 && out.answer.status < 300 && reply_->error() != QNetworkReply::NoError;
     if (problem_ && (out.answer.status == 0 || isCut)) out.problem = connectionFailure();
     return out;
   }
@@ -293,9 +303,9 @@ struct WebExchange::Private {
       const Outcome out = once(url, request, onBody);
       if (!out.problem) return out.problem.error();
       const int status = out.answer.status;
-      if (isRedirect(status)) {
+      if (isRedirect(status) && out.redirect.isValid()) {
         if (!isSameHost(url, out.redirect))
-          return says("redirects to " + out.redirect.host().toStdString() + ", which is refused");
+          return says("redirects to " + placeOf(out.redirect) + ", which is refused: correct \"url\"");
         if (++redirects > mostRedirects) return says("redirects in a circle");
         url = out.redirect;
       } else if (status == 401) {
@@ -304,7 +314,7 @@ struct WebExchange::Private {
       } else if (status == 403) {
         return says("does not allow this (403)");
       } else if (isBusy(status)) {
-        if (++tries == mostTries) return says("is out of order, or busy (" + std::to_string(status) + ")");
+        if (++tries == mostTries) return out.answer;
         if (Status s = pause(out.pause, tries); !s) return s.error();
       } else {
         return out.answer;

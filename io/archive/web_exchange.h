@@ -22,15 +22,16 @@ struct WebRequest {
 };
 
 struct WebAnswer {
-  int status = 0;           ///< of HTTP; never one of those that send() handles itself
+  int status = 0;           ///< of HTTP; redirects, 401 and 403 never come
   std::string contentType;  ///< as sent
   bool isPart = false;      ///< the archive says that it has more (Warning: 299)
+  bool isMeasured = false;  ///< its end is told by more than that of the connection
 };
 
 /// Requests to an archive by HTTP (PS3.18). Each waits 5 s for the connection, and 30 s for each progress.
 /// Passwords and tokens come from the archive's commands; a token that has expired is asked for anew. A
 /// redirect to another host is refused. Requests that a busy archive refuses are repeated. Errors are
-/// sentences that name the archive and what to do. Used by one thread at a time.
+/// sentences that name the archive and what to do. Used by one thread at a time. After a POST it waits 5 min.
 class WebExchange {
  public:
   WebExchange(const Archive& archive, const CancelToken& cancel);

@@ -22,7 +22,7 @@ namespace volumen {
 namespace {
 
 constexpr const char* jsonType = "application/dicom+json";
-constexpr std::size_t mostBytesOfPage = 64 << 20;
+constexpr std::size_t mostBytesOfPage = 32 << 20;
 constexpr std::chrono::minutes mostTimeOfPage{2};
 
 // Collects an answer as text.
@@ -51,15 +51,14 @@ class TextBody {
 // Writes the instances that come into a sink. Those that nobody asked for are dropped.
 class InstanceParts : public PartSink {
  public:
-  InstanceParts(const WantedInstances& wanted, InstanceSink& sink) : sink_(sink) {
-    for (const ListedInstance& one : wanted.instances) wanted_.insert(one.uid);
-  }
+  InstanceParts(const WantedInstances& wanted, InstanceSink& sink)
+      : sink_(sink), mostParts_(2 * wanted.instances.size() + 1000) {}
   ~InstanceParts() override {
     if (file_.is_open()) sink_.drop();
   }
 
   Status beginPart() override {
-    if (++parts_ > 2 * wanted_.size() + 1000) return Error{"sends instances without end"};
+    if (++parts_ > mostParts_) return Error{"sends instances without end"};
     if (file_.is_open()) file_.close();  // the last one was cut off
     auto path = sink_.begin();
     if (!path) return path.error();
@@ -76,8 +75,9 @@ class InstanceParts : public PartSink {
   Status endPart() override {
     file_.close();
     if (!file_) return cannotWrite();
+    // Archives may send more of a series than they list; what is not of it is dropped.
     const auto uids = dicom::instanceUids(path_);
-    if (uids && wanted_.count(uids->instance)) return sink_.end(uids->instance);
+    if (uids) return sink_.end(*uids);
     sink_.drop();
     return {};
   }
@@ -90,7 +90,7 @@ class InstanceParts : public PartSink {
   }
 
   InstanceSink& sink_;
-  std::set<std::string> wanted_;
+  const std::size_t mostParts_;
   std::size_t parts_ = 0;
   std::string path_;
   std::ofstream file_;
@@ -107,6 +107,7 @@ class WadoBody {
 
   // Call it after the last byte. A part that is cut off stays out.
   Status end() {
+    if (isOne_ && !isMeasured_) return exchange_.says("does not say where an instance ends");
     if (isOne_) return parts_.endPart();
     if (reader_ && !reader_->isComplete()) return exchange_.says("ended the answer too early");
     return {};
@@ -122,6 +123,7 @@ class WadoBody {
         if (!answer.contentType.starts_with("application/dicom"))
           return exchange_.says("sends " + reader.message());
         isOne_ = true;
+        isMeasured_ = answer.isMeasured;
         if (Status s = parts_.beginPart(); !s) return s;
       }
     }
@@ -131,7 +133,7 @@ class WadoBody {
   InstanceParts& parts_;
   const WebExchange& exchange_;
   std::optional<MultipartReader> reader_;
-  bool isOne_ = false;
+  bool isOne_ = false, isMeasured_ = false;
 };
 
 // Media types for instances, as stored if possible. Archives refuse lists of types, and some of these.
@@ -181,12 +183,14 @@ class WebProtocol : public ArchiveProtocol {
       const Status s = getInstance(series + "/instances/" + percentEncoded(one.uid), parts);
       if (!s) problem = s;
       if (cancel_.cancelled()) return Error{"cancelled"};
+      if (failures_ == mostFailures) break;
     }
     return problem;
   }
 
  private:
-  static constexpr int pageSize = 200;  // more are refused by some
+  static constexpr int mostFailures = 3;
+  static constexpr std::size_t pageSize = 200;  // more are refused by some
 
   static bool isSuccess(const WebAnswer& answer) { return answer.status >= 200 && answer.status < 300; }
   static bool isOfStudies(DcmDataset& keys) {
@@ -196,23 +200,35 @@ class WebProtocol : public ArchiveProtocol {
   // Archives have page sizes of their own, and some know no pages: the last page brings nothing new.
   Result<std::string> findPages(DcmDataset& keys, bool isFuzzy, std::set<std::string>& known,
                                 const std::function<bool(DcmDataset&)>& onAnswer) {
+    bool hasMore = false;
     for (int offset = 0;;) {
       TextBody body(exchange_);
       const auto answer =
-          exchange_.send({searchTarget(keys, pageSize, offset, isFuzzy), jsonType, {}}, body.onBody());
+          exchange_.send({searchTarget(keys, int(pageSize), offset, isFuzzy), jsonType, {}}, body.onBody());
       if (!answer) return answer.error();
       if (answer->status == 404 && offset == 0 && !isOfStudies(keys)) return std::string();
       if (!isSuccess(*answer)) return refusal(*answer).message;
-      const auto page = nlohmann::json::parse(body.text().empty() ? "[]" : body.text(), nullptr, false);
+      const auto page = pageIn(body.text());
       if (!page.is_array()) return exchange_.says("does not answer the search in JSON").message;
       const std::size_t before = known.size();
-      if (!givePage(page, keys, known, onAnswer) || known.size() == before) return std::string();
+      if (!givePage(page, keys, known, onAnswer)) return std::string();
+      // An archive that knows no pages sends the first again; a round number of answers is a limit of its
+      // own.
+      const bool isCapped =
+          isOfStudies(keys) && !page.empty() && page.size() < pageSize && page.size() % 50 == 0;
+      if (known.size() == before)
+        return hasMore || isCapped
+                   ? exchange_.says("may have more than it sends: add a word or a date").message
+                   : std::string();
+      hasMore = answer->isPart || answer->status == 206;
       offset += int(page.size());
     }
   }
 
   Error refusal(const WebAnswer& answer) const {
     if (answer.status == 404) return exchange_.says("has no DICOMweb services at this URL (404)");
+    if (answer.status == 429 || answer.status >= 500)
+      return exchange_.says("is out of order, or busy (" + std::to_string(answer.status) + ")");
     if (answer.status == 413)
       return exchange_.says("refuses the search as too large (413): add a word or a date");
     return exchange_.says("answers with status " + std::to_string(answer.status));
@@ -233,6 +249,23 @@ class WebProtocol : public ArchiveProtocol {
     return true;
   }
 
+  // What no answer needs is dropped while it is read: depth, and more answers than a page may have.
+  nlohmann::json pageIn(const std::string& text) const {
+    constexpr int mostDepth = 8;
+    constexpr std::size_t mostAnswers = 200000;
+    using Event = nlohmann::json::parse_event_t;
+    std::size_t answers = 0;
+    return nlohmann::json::parse(
+        text.empty() ? "[]" : text,
+        [&](int depth, Event event, nlohmann::json&) {
+          if (cancel_.cancelled() || depth > mostDepth) return false;
+          const bool isAnswer = depth == 1 && event == Event::object_start;
+          if (depth == 1 && (event == Event::value || event == Event::array_start)) return false;
+          return !isAnswer || ++answers <= mostAnswers;
+        },
+        false);
+  }
+
   // Some archives refuse a type that others need; what one accepts is asked for from then on.
   Status getInstance(const std::string& target, InstanceParts& parts) {
     for (; type_ < std::size(wadoTypes); ++type_) {
@@ -247,6 +280,7 @@ class WebProtocol : public ArchiveProtocol {
   Status get(const std::string& target, const char* type, InstanceParts& parts, bool& isRefused) {
     WadoBody body(parts, exchange_);
     const auto answer = exchange_.send({target, type, {}, false}, body.onBody());
+    failures_ = !answer || answer->status == 429 || answer->status >= 500 ? failures_ + 1 : 0;
     if (!answer) return answer.error();
     isRefused = answer->status == 400 || answer->status == 406 || answer->status == 415;
     if (isRefused) return {};
@@ -259,6 +293,7 @@ class WebProtocol : public ArchiveProtocol {
   WebExchange exchange_;
   const CancelToken cancel_;
   std::size_t type_ = 0;  // in wadoTypes
+  int failures_ = 0;      // of retrievals, one after the other
 };
 
 }  // namespace

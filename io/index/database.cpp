@@ -135,7 +135,8 @@ bool Database::isOfUnknownForm() const {
   QSqlQuery query(QSqlDatabase::database(name_, false));
   query.exec(QStringLiteral("PRAGMA busy_timeout = 0"));  // who writes proves that it can be written
   const bool isBegun = query.exec(QStringLiteral("BEGIN IMMEDIATE"));
-  const bool isReadOnly = !isBegun && codeOf(query.lastError()) == readOnly;
+  const bool isReadOnly = isBegun && !query.exec(QStringLiteral("PRAGMA user_version = 0")) &&
+                          codeOf(query.lastError()) == readOnly;
   if (isBegun) query.exec(QStringLiteral("ROLLBACK"));
   query.exec(QStringLiteral("PRAGMA busy_timeout = 5000"));
   return isReadOnly;

@@ -18,8 +18,8 @@ Result<std::vector<std::string>> fetchNamed(const std::string& name, FetchReques
   request.folder = fetchedFolder(index, request.studyUid);
   const auto report = fetchFromArchive(*archive, request, progress, cancel);
   if (!report) return report.error();
-  if (!report->missing.empty())
-    return Error{"Only " + std::to_string(report->expected - int(report->missing.size())) + " of " +
+  if (!report->isAll())
+    return Error{"Only " + std::to_string(report->fetched + report->alreadyHere) + " of " +
                  std::to_string(report->expected) + " images could be fetched. " +
                  (report->problems.empty() ? "" : report->problems.front())};
   return filesFetched(request);

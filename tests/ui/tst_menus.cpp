@@ -72,13 +72,13 @@ void TestMenus::menusHoldWhatTheyShould_data() {
   row("", "&File >; &Edit >; &View >; &Tools >; &Segments >; &3D >; &Help >");
   row("&File",
       "Open folder...; Open file...; Open recent >; Sample study; |; "
-      "Study list; Find study...; Import folder...; |; "
+      "Study list; Find study...; Import folder...; Receive studies; |; "
       "Open session...; Save session; Save session as...; |; "
       "Restore earlier work >; Open scene...; Save scene...; Import segments...; Export segments...; |; Save "
       "picture...; Copy "
       "picture; Save all "
       "views...; Copy all views; Print picture...; "
-      "More pictures >; Save 3D snapshot...; Copy 3D snapshot; |; Quit");
+      "More pictures >; Save 3D snapshot...; Copy 3D snapshot; Send to archive...; |; Quit");
   row("&File/More pictures",
       "Picture of any size...; Stack as pictures...; Contact sheet...; |; "
       "Key images as pages...");

@@ -35,10 +35,11 @@ QString numberText(std::size_t number) { return QLocale().toString(qulonglong(nu
 
 // Returns how many images are missing, and why; empty for none.
 QString missingText(const FetchReport& report) {
-  if (report.missing.empty()) return {};
+  if (report.isAll()) return {};
   const QString why = report.problems.empty() ? QString() : QString::fromStdString(report.problems.front());
   return ArchiveSource::tr("%1 of %2 images are missing. %3")
-      .arg(numberText(report.missing.size()), numberText(std::size_t(report.expected)), why)
+      .arg(numberText(std::size_t(report.expected - report.fetched - report.alreadyHere)),
+           numberText(std::size_t(report.expected)), why)
       .trimmed();
 }
 

@@ -1,4 +1,5 @@
 #include "io/archive/receive_into_index.h"
+#include "results/text/text.h"
 #include "ui/document/job_lane.h"
 #include "ui/features/feature.h"
 #include "ui/workspace/when_changed.h"
@@ -11,12 +12,12 @@ namespace {
 class Receiving : public Feature {
  public:
   explicit Receiving(Workbench& bench);
-  ~Receiving() override { lane_.giveUpAll(); }
 
  private:
   void follow();
   void start();
   void refuse(const QString& sentence);
+  void refuseForGood(const QString& sentence);
   void showAssociation(const ReceivedAssociation& one);
 
   QAction* action_;
@@ -25,7 +26,7 @@ class Receiving : public Feature {
 
 // Returns "3 images from PACS".
 QString imagesText(int count, const std::string& from) {
-  const QString sender = QString::fromStdString(from);
+  const QString sender = shownText(from);
   return count == 1 ? QObject::tr("1 image from %1").arg(sender)
                     : QObject::tr("%1 images from %2").arg(QString::number(count), sender);
 }
@@ -41,7 +42,7 @@ Receiving::Receiving(Workbench& bench)
                                  session_.prefer([on](Preferences& p) { p.receives = on; });
                                  follow();
                                },
-                               {{"fileMenu", 50, 70}}})) {
+                               {{"fileMenu", 20, 10}}})) {
   whenChanged(session_, this, &Receiving::follow, &Preferences::receives);
   follow();
 }
@@ -55,11 +56,11 @@ void Receiving::follow() {
 
 void Receiving::start() {
   const Result<Archives> archives = readArchives(userArchivesFile());
-  if (!archives) return refuse(QString::fromStdString(archives.message()));
+  if (!archives) return refuseForGood(QString::fromStdString(archives.message()));
   if (!archives->listen)
-    return refuse(tr("To receive studies, say in %1 where to listen: "
-                     "\"listen\": {\"ae\": \"VOLUMEN\", \"port\": 11112}.")
-                      .arg(QString::fromStdString(userArchivesFile())));
+    return refuseForGood(tr("To receive studies, say in %1 where to listen: "
+                            "\"listen\": {\"ae\": \"VOLUMEN\", \"port\": 11112}.")
+                             .arg(QString::fromStdString(userArchivesFile())));
   const Listening listening = *archives->listen;
   const std::string index = bench_.services.indexFolder;
   lane_.run(
@@ -96,11 +97,19 @@ void Receiving::refuse(const QString& sentence) {
   warnUntilDone(sentence);
 }
 
+void Receiving::refuseForGood(const QString& sentence) {
+  session_.prefer([](Preferences& p) { p.receives = false; });
+  warnUntilDone(sentence);
+}
+
 void Receiving::showAssociation(const ReceivedAssociation& one) {
   if (one.stored > 0) tell(tr("Received %1.").arg(imagesText(one.stored, one.callingAe)));
-  if (one.refused > 0)
-    warn(tr("%1 could not be received: %2.")
-             .arg(imagesText(one.refused, one.callingAe), QString::fromStdString(one.problem)));
+  if (one.problem.empty()) return;
+  QString problem = shownText(one.problem);
+  while (problem.endsWith(QLatin1Char('.'))) problem.chop(1);
+  warn(one.refused > 0
+           ? tr("%1 could not be received: %2.").arg(imagesText(one.refused, one.callingAe), problem)
+           : tr("The connection of %1 %2.").arg(shownText(one.callingAe), problem));
 }
 
 }  // namespace

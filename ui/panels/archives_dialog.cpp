@@ -53,7 +53,7 @@ ArchivesDialog::ArchivesDialog(QWidget* parent)
   stack(this, {both, told_}, 12, 8);
   makeButtons();
   const Result<Archives> read = readArchives(userArchivesFile());
-  if (read) archives_ = *read;
+  if (read) archives_ = asRead_ = *read;
   for (const Archive& archive : archives_.archives) list_->addItem(QString::fromStdString(archive.name));
   connect(list_, &QListWidget::currentRowChanged, this, &ArchivesDialog::showChosen);
   list_->setCurrentRow(0);
@@ -206,6 +206,9 @@ bool ArchivesDialog::isValid() {
 
 void ArchivesDialog::save() {
   if (!isValid()) return;
+  if (const Result<Archives> now = readArchives(userArchivesFile()); !now || *now != asRead_)
+    return told_->setText(
+        tr("Another program has changed the list meanwhile. Close this window and open it again."));
   if (const Status done = written(archives_); !done)
     return told_->setText(QString::fromStdString(done.message()));
   accept();

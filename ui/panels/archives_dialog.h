@@ -39,7 +39,7 @@ class ArchivesDialog : public QDialog {
   QString inWords(const std::string& problem) const;
   bool isValid();
 
-  Archives archives_;
+  Archives archives_, asRead_;
   QListWidget* list_;
   QWidget* fields_;
   std::vector<std::pair<QLineEdit*, std::string Archive::*>> texts_;

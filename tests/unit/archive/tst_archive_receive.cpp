@@ -189,6 +189,14 @@ QByteArray begunStorage() {
   return dataPdu(3, length + command) + dataPdu(0, QByteArray(8000, '\0'));
 }
 
+// Sequences within sequences (0040,0275), never closed: a command of 400 kB, in fragments.
+QByteArray deepCommand() {
+  const QByteArray level("\x40\0\x75\x02\xff\xff\xff\xff\xfe\xff\0\xe0\xff\xff\xff\xff", 16);
+  QByteArray pdus;
+  for (int n = 0; n < 50; ++n) pdus += dataPdu(1, level.repeated(500));
+  return pdus + dataPdu(3, level);
+}
+
 std::unique_ptr<QTcpSocket> connectedTo(const Receiver& receiver, const QByteArray& bytes) {
   auto socket = std::make_unique<QTcpSocket>();
   socket->connectToHost(QStringLiteral("127.0.0.1"), quint16(receiver.port()));
@@ -325,6 +333,7 @@ void TestArchiveReceive::peersThatLieAreCutOff_data() {
   QTest::newRow("a request of 4 GiB") << QByteArray("\1\0", 2) + endless;
   QTest::newRow("data of 4 GiB") << associationRequest() + QByteArray("\4\0", 2) + endless;
   QTest::newRow("a fragment of 4 GiB") << associationRequest() + pduOf(4, endless);
+  QTest::newRow("a command of 25,000 sequences within each other") << associationRequest() + deepCommand();
   QTest::newRow("data without a request") << begunStorage();
   QTest::newRow("TLS") << QByteArray::fromHex("16030100c8010000c40303") + QByteArray(190, 'a');
   QTest::newRow("HTTP") << QByteArray("GET / HTTP/1.1\r\n\r\n");

@@ -213,9 +213,9 @@ void TestArchiveWeb::failuresAreExplained_data() {
       "answers with a web page: is the URL that of its DICOMweb services?");
   row("no JSON", jsonAnswer("{\"studies\": 1"), "does not answer the search in JSON.");
   row("another host", status("302 Found", "Location: http://127.0.0.2:1/dicom-web/studies\r\n"),
-      "redirects to 127.0.0.2, which is refused.");
+      "redirects to http://127.0.0.2:1, which is refused: correct \"url\".");
   row("another scheme", status("302 Found", "Location: https://127.0.0.1:1/dicom-web/studies\r\n"),
-      "redirects to 127.0.0.1, which is refused.");
+      "redirects to https://127.0.0.1:1, which is refused: correct \"url\".");
   row("a circle", status("302 Found", "Location: studies\r\n"), "redirects in a circle.");
   row("no HTTP", "SSH-2.0-OpenSSH\r\n", "ended the connection.");
   row("an answer that is cut off",
