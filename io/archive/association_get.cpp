@@ -102,7 +102,7 @@ class Retrieval {
     response.DimseStatus = DIC_US(!problem_ ? outOfResources : isKept_ ? 0 : notUnderstood);
     unwanted_ = isKept_ ? 0 : unwanted_ + 1;
     pending_ = 0;
-    if (problem_ && unwanted_ > mostUnwanted) return endless();
+    if (unwanted_ > mostUnwanted) return endless();
     response.DataSetType = DIMSE_DATASET_NULL;
     std::memcpy(response.AffectedSOPClassUID, request.AffectedSOPClassUID,
                 sizeof response.AffectedSOPClassUID);

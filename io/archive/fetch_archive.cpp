@@ -106,7 +106,8 @@ class Fetch {
   Status fetchSeries(const std::string& seriesUid, const ListedSeries& series) {
     const std::string folder = request_.folder + "/" + nameForUid(seriesUid);
     if (Status s = makePrivateFolder(folder); !s) return s;
-    InstanceFolder files(folder, request_.studyUid, seriesUid, [&] {
+    const std::size_t most = 2 * series.instances.size() + 1000;
+    InstanceFolder files(folder, request_.studyUid, seriesUid, most, [&] {
       if (progress_) progress_("fetching", ++stored_, std::size_t(report_.expected));
     });
     const int before = filesIn(folder);

@@ -14,11 +14,13 @@ namespace volumen {
 class InstanceFolder : public InstanceSink {
  public:
   /// `folder` must exist. `onStored` is called after each instance.
-  InstanceFolder(std::string folder, std::string studyUid, std::string seriesUid,
+  /// After `most` instances it takes no more.
+  InstanceFolder(std::string folder, std::string studyUid, std::string seriesUid, std::size_t most,
                  std::function<void()> onStored = {})
       : folder_(std::move(folder)),
         studyUid_(std::move(studyUid)),
         seriesUid_(std::move(seriesUid)),
+        left_(most),
         onStored_(std::move(onStored)) {}
 
   std::uint64_t bytesWritten() const { return bytes_; }
@@ -32,6 +34,7 @@ class InstanceFolder : public InstanceSink {
   std::string pathOf(const std::string& sopInstanceUid) const;
 
   const std::string folder_, studyUid_, seriesUid_;
+  std::size_t left_;
   const std::function<void()> onStored_;
   std::optional<OutputFile> written_;
   std::uint64_t bytes_ = 0;
