@@ -58,10 +58,12 @@ class Sending {
   Status operator()() {
     const std::size_t count = end_ - next_;
     const std::size_t lines = std::clamp(count / instancesForEach, std::size_t(1), mostAssociations);
+    isAlone_ = lines == 1;
     std::vector<std::thread> threads;
     for (std::size_t n = 1; n < lines; ++n) threads.emplace_back([this] { sendOverOne(); });
     sendOverOne();
     for (std::thread& thread : threads) thread.join();
+    if (problem_) sendAgain();
     return problem_;
   }
 
@@ -74,12 +76,28 @@ class Sending {
       if (!done && !cancel_.cancelled()) done = sendOne(association, n);
       const std::lock_guard lock(mutex_);
       failures_ = done ? 0 : failures_ + 1;
+      const bool isKept = done && done->empty();
       if (!done && (cancel_.cancelled() || failures_ == mostFailures)) {
         if (problem_) problem_ = done.error();
         next_ = std::max(next_.load(), end_);
         return;
       }
+      if (isKept || isAlone_)
+        onSent_(n, done ? *done : done.message());
+      else
+        again_.push_back(n);
+    }
+  }
+
+  // Some archives cannot store over several associations at once: what they refuse so is sent once more.
+  void sendAgain() {
+    std::optional<Association> association;
+    failures_ = 0;
+    for (const std::size_t n : again_) {
+      const auto done = sendOne(association, n);
+      failures_ = done ? 0 : failures_ + 1;
       onSent_(n, done ? *done : done.message());
+      if (cancel_.cancelled() || failures_ == mostFailures) return;
     }
   }
 
@@ -105,6 +123,8 @@ class Sending {
   std::mutex mutex_;
   Status problem_;
   int failures_ = 0;  // one after the other
+  bool isAlone_ = true;
+  std::vector<std::size_t> again_;
 };
 
 }  // namespace
