@@ -146,9 +146,8 @@ Status addToIndex(const ArchiveOptions& options, const std::string& folder, cons
 int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
   const auto archive = chosen(options);
   if (!archive) return fail(archive.message());
-  const std::size_t slash = options.study.find('/');
-  FetchRequest request{options.study.substr(0, slash), "", options.folder};
-  if (slash != std::string::npos) request.seriesUid = options.study.substr(slash + 1);
+  FetchRequest request = requestFor(options.study);
+  request.folder = options.folder;
   if (request.folder.empty()) request.folder = fetchedFolder(indexFolderOr(options.index), request.studyUid);
   const auto report = fetchFromArchive(*archive, request, terminalProgress(), cancel);
   endTerminalProgress();

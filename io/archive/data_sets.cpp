@@ -1,5 +1,6 @@
 #include "io/archive/data_sets.h"
 
+#include <algorithm>
 #include <charconv>
 
 #include "io/dicom/data_set.h"
@@ -12,6 +13,23 @@ DcmDataset keysAt(const char* level, const std::string& studyUid) {
   putKey(keys, DCM_QueryRetrieveLevel, level);
   if (!studyUid.empty()) putKey(keys, DCM_StudyInstanceUID, studyUid);
   return keys;
+}
+
+std::vector<DcmDataset> keysForInstances(const std::string& studyUid, const std::string& seriesUid,
+                                         const std::vector<std::string>& sopInstanceUids) {
+  constexpr std::size_t atOnce = 100;
+  DcmDataset keys = keysAt(sopInstanceUids.empty() ? "SERIES" : "IMAGE", studyUid);
+  putKey(keys, DCM_SeriesInstanceUID, seriesUid);
+  if (sopInstanceUids.empty()) return {keys};
+  std::vector<DcmDataset> all;
+  for (std::size_t first = 0; first < sopInstanceUids.size(); first += atOnce) {
+    std::string list;
+    for (std::size_t n = first; n < std::min(sopInstanceUids.size(), first + atOnce); ++n)
+      list += (list.empty() ? "" : "\\") + sopInstanceUids[n];
+    putKey(keys, DCM_SOPInstanceUID, list);
+    all.push_back(keys);
+  }
+  return all;
 }
 
 void putKey(DcmDataset& keys, const DcmTagKey& tag, const std::string& value) {

@@ -166,21 +166,9 @@ class DimseProtocol : public ArchiveProtocol {
   // Asks for a whole series at once, or by instance for what is missing.
   Status get(Association& association, const WantedInstances& wanted, const std::vector<std::string>& uids,
              bool isWhole, InstanceSink& sink) {
-    if (isWhole) {
-      DcmDataset keys = keysAt("SERIES", wanted.studyUid);
-      putKey(keys, DCM_SeriesInstanceUID, wanted.seriesUid);
-      return ended(association.get(getModel, keys, sink));
-    }
-    constexpr std::size_t atOnce = 100;
-    for (std::size_t first = 0; first < uids.size(); first += atOnce) {
-      std::string list;
-      for (std::size_t n = first; n < std::min(uids.size(), first + atOnce); ++n)
-        list += (list.empty() ? "" : "\\") + uids[n];
-      DcmDataset keys = keysAt("IMAGE", wanted.studyUid);
-      putKey(keys, DCM_SeriesInstanceUID, wanted.seriesUid);
-      putKey(keys, DCM_SOPInstanceUID, list);
+    for (DcmDataset& keys :
+         keysForInstances(wanted.studyUid, wanted.seriesUid, isWhole ? std::vector<std::string>() : uids))
       if (Status s = ended(association.get(getModel, keys, sink)); !s) return s;
-    }
     return {};
   }
 

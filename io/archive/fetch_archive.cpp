@@ -166,6 +166,11 @@ std::string nameForUid(const std::string& uid) {
   return hash.toHex().left(32).toStdString();
 }
 
+FetchRequest requestFor(const std::string& named) {
+  const std::size_t slash = named.find('/');
+  return {named.substr(0, slash), slash == std::string::npos ? "" : named.substr(slash + 1), ""};
+}
+
 std::string fetchedFolder(const std::string& indexFolder) { return indexFolder + "/fetched"; }
 
 std::string fetchedFolder(const std::string& indexFolder, const std::string& studyUid) {

@@ -17,6 +17,9 @@ struct FetchRequest {
   std::string folder;     ///< files go to folders of their series in it, named by us
 };
 
+/// Returns the request for "STUDY" or "STUDY/SERIES", as a user names them by UIDs.
+FetchRequest requestFor(const std::string& named);
+
 struct FetchReport {
   int expected = 0;     ///< instances that the archive lists, or says that it has
   int fetched = 0;      ///< of them

@@ -84,17 +84,11 @@ class MoveReception {
 };
 
 Status ask(Association& association, const WantedInstances& wanted, const std::string& destination) {
-  DcmDataset keys = keysAt(wanted.isWhole ? "SERIES" : "IMAGE", wanted.studyUid);
-  putKey(keys, DCM_SeriesInstanceUID, wanted.seriesUid);
-  if (wanted.isWhole) return ended(association.move(moveModel, keys, destination));
-  constexpr std::size_t atOnce = 100;
-  for (std::size_t first = 0; first < wanted.instances.size(); first += atOnce) {
-    std::string list;
-    for (std::size_t n = first; n < std::min(wanted.instances.size(), first + atOnce); ++n)
-      list += (list.empty() ? "" : "\\") + wanted.instances[n].uid;
-    putKey(keys, DCM_SOPInstanceUID, list);
+  std::vector<std::string> uids;
+  if (!wanted.isWhole)
+    for (const ListedInstance& one : wanted.instances) uids.push_back(one.uid);
+  for (DcmDataset& keys : keysForInstances(wanted.studyUid, wanted.seriesUid, uids))
     if (Status s = ended(association.move(moveModel, keys, destination)); !s) return s;
-  }
   return {};
 }
 

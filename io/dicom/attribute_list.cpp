@@ -129,16 +129,12 @@ Result<std::vector<AttributeLine>> listAttributesHere(const std::string& path) {
   const Result<RegularFile> file = RegularFile::open(path);
   if (!file) return file.error();
   ScannedFile s;
-  if (Status read = s.begin(*file); !read) return read.error();
-  const Result<MetaHeader> meta = scanMeta(s.head, file->size());
-  if (!meta) return meta.error();
-  s.meta = *meta;
-  if (Status named = s.findSyntax(); !named) return named.error();
+  if (Status read = s.readMeta(*file); !read) return read.error();
   std::vector<AttributeLine> lines;
-  if (hasMagic(s.head) && meta->dataSet <= s.head.size()) {
-    const Bytes before = Bytes(s.head).first(meta->dataSet);
+  if (hasMagic(s.head) && s.meta.dataSet <= s.head.size()) {
+    const Bytes before = Bytes(s.head).first(s.meta.dataSet);
     constexpr std::uint64_t preamble = 132;
-    if (const auto found = scanDataSet(before, preamble, meta->dataSet, Encoding{}); found)
+    if (const auto found = scanDataSet(before, preamble, s.meta.dataSet, Encoding{}); found)
       lines = linesOf(before, found->elements);
   }
   if (Status scanned = s.scan(*file); !scanned) return scanned.error();

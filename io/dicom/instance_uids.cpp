@@ -17,16 +17,12 @@ Result<InstanceUids> instanceUidsHere(const std::string& path) {
   const Result<RegularFile> file = RegularFile::open(path);
   if (!file) return file.error();
   ScannedFile s;
-  if (Status read = s.begin(*file); !read) return read.error();
-  const Result<MetaHeader> meta = scanMeta(s.head, file->size());
-  if (!meta) return meta.error();
-  s.meta = *meta;
-  if (Status named = s.findSyntax(); !named) return named.error();
+  if (Status read = s.readMeta(*file); !read) return read.error();
   const Status scanned = s.scan(*file);
   const DataSet data(s.head, s.dataSet.elements);
   const auto uid = [&](std::uint32_t tag) { return data.text(tag, data.root()); };
   InstanceUids uids{uid(0x0020000d), uid(0x0020000e), uid(0x00080018), uid(0x00080016),
-                    meta->transferSyntaxUid};
+                    s.meta.transferSyntaxUid};
   // Damage behind the UIDs does no harm here.
   const bool isAll = !uids.study.empty() && !uids.series.empty() && !uids.instance.empty();
   if (!scanned && !isAll) return scanned.error();

@@ -41,6 +41,14 @@ Status ScannedFile::findSyntax() {
   return {};
 }
 
+Status ScannedFile::readMeta(const RegularFile& file) {
+  if (Status read = begin(file); !read) return read;
+  const Result<MetaHeader> found = scanMeta(head, file.size());
+  if (!found) return found.error();
+  meta = *found;
+  return findSyntax();
+}
+
 Status ScannedFile::scan(const RegularFile& file) {
   if (Status scanned = syntax.deflated ? scanInflated(file) : scanPlain(file); !scanned) return scanned;
   return correctSyntax(file);

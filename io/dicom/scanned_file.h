@@ -9,7 +9,7 @@
 namespace volumen::dicom {
 
 /// A DICOM file up to its pixel data: its first bytes (all of an inflated data set) and their elements. Fill
-/// it in this order: begin, meta (scanMeta), findSyntax, scan.
+/// it in this order: begin, meta (scanMeta), findSyntax, scan. readMeta() does the first three.
 struct ScannedFile {
   MetaHeader meta;
   TransferSyntax syntax{"", "", Coding::native, {}, false};
@@ -23,6 +23,7 @@ struct ScannedFile {
   Status begin(const RegularFile& file);
   /// Finds the transfer syntax that the file names, with the encoding that its bytes show.
   Status findSyntax();
+  Status readMeta(const RegularFile& file);
   /// Scans the data set. If fragments of pixels are in another transfer syntax than the file names, `syntax`
   /// becomes theirs.
   Status scan(const RegularFile& file);

@@ -31,9 +31,7 @@ Result<std::vector<std::string>> fetchPath(const std::string& path, const Progre
                                            const CancelToken& cancel) {
   const std::string named = path.substr(path.find(':') + 1);
   const std::size_t name = named.find('/');
-  const std::string uids = name == std::string::npos ? "" : named.substr(name + 1);
-  const std::size_t slash = uids.find('/');
-  FetchRequest request{uids.substr(0, slash), slash == std::string::npos ? "" : uids.substr(slash + 1), ""};
+  FetchRequest request = requestFor(name == std::string::npos ? "" : named.substr(name + 1));
   if (request.studyUid.empty())
     return Error{path + ": name a study by its UID, archive:NAME/STUDY; `volumen archive query " +
                  named.substr(0, name) + "` lists them."};
