@@ -8,6 +8,7 @@
 #include "tests/unit/promises/promises.h"
 #include "tests/unit/suite.h"
 #include "viewer/reference/reference.h"
+#include "viewer/segment/occupancy.h"
 
 namespace {
 
@@ -73,6 +74,18 @@ void shiny(Scene& scene) {
   scene.shading.gradientFloor = 1;
 }
 
+// The middle of the ball is a half-transparent segment.
+void aroundABall(Scene& scene) {
+  const VoxelGeometry geometry = ball(Within::nothing, 0)->geometry();
+  BitMask mask(geometry);
+  for (int k = 0; k < edge; ++k)
+    for (int j = 0; j < edge; ++j)
+      for (int i = 0; i < edge; ++i)
+        if (glm::distance(glm::dvec3(i, j, k), glm::dvec3(edge / 2.0)) < edge / 4.0) mask.set({i, j, k});
+  scene.segments = {
+      {std::make_shared<const OccupancyField>(occupancyOf(mask, surfaceSigma)), {0.9, 0.4, 0.2}, 0.5}};
+}
+
 RenderOptions optionsOf(Quality quality) {
   RenderOptions options = atLevel(quality);
   options.size = size;
@@ -136,6 +149,8 @@ void TestPilot::thePictureKeepsThePromise_data() {
   row("with gradient opacity", soft, "0.849 0.5802 0.849 0.382", [](Scene& s) {
     s.transferFunction.gradientOpacity = {{0, 0.2}, {20, 1}};
   });
+  row("around a segment", soft, "0.849 0.5802 0.849 0.382", aroundABall);
+  row("around a segment, many rods in it", ball(Within::rods, 40), "0.849 0.382 0.7236 0.2764", aroundABall);
   row("a few rods in it", ball(Within::rods, 3), "0.849 0.5802 0.849 0.382", [](Scene&) {});
   row("many rods in it", ball(Within::rods, 40), "0.849 0.382 0.5802 0.2764", [](Scene&) {});
   row("a few stripes in it", ball(Within::stripes, 3), "0.849 0.5802 0.849 0.382", [](Scene&) {});
@@ -276,20 +291,26 @@ void TestPilot::itSaysTheWorstThatThePictureMayHave() {
 void TestPilot::itDependsOnThePictureAlone_data() {
   QTest::addColumn<int>("threads");
   QTest::addColumn<bool>("full");
-  QTest::newRow("one thread") << 1 << false;
-  QTest::newRow("two threads") << 2 << false;
-  QTest::newRow("seven threads") << 7 << false;
-  QTest::newRow("nothing left out") << 2 << true;
+  QTest::addColumn<bool>("hasSegment");
+  QTest::newRow("one thread") << 1 << false << false;
+  QTest::newRow("two threads") << 2 << false << false;
+  QTest::newRow("seven threads") << 7 << false << false;
+  QTest::newRow("nothing left out") << 2 << true << false;
+  QTest::newRow("around a segment, one thread") << 1 << false << true;
+  QTest::newRow("around a segment, nothing left out") << 2 << true << true;
 }
 
 void TestPilot::itDependsOnThePictureAlone() {
   QFETCH(int, threads);
   QFETCH(bool, full);
+  QFETCH(bool, hasSegment);
   RenderCaches caches(ball(Within::rods, 40));
   for (double opacity : {0.02, 0.06, 0.2})
     for (Quality quality : {Quality::standard, Quality::high}) {
       RenderOptions options = optionsOf(quality);
-      const auto done = [&] { return *render(*makePlan(sceneOf(opacity), caches.facts(), options), caches); };
+      Scene scene = sceneOf(opacity);
+      if (hasSegment) aroundABall(scene);
+      const auto done = [&] { return *render(*makePlan(scene, caches.facts(), options), caches); };
       const Rendered asked = done();
       options.threads = threads;
       options.full = full;

@@ -1,5 +1,6 @@
 // Guards design.md 2 on pictures large enough for a pilot: plain steps that one takes keep the level's
-// promise and the stated error. Boxes of real studies, as in tst_random_scenes, are compared with `exact`.
+// promise and the stated error. Boxes of real studies, as in tst_random_scenes, are compared with `exact`;
+// so are scenes with surfaces of segments.
 // Pixels that differ by more than a level's 99th percentile are compared with the reference, except for
 // ill-conditioned ones. VOLUMEN_RANDOM_CASES=N draws N seeds from VOLUMEN_RANDOM_SEED on.
 #include <algorithm>
@@ -9,6 +10,8 @@
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/promises/promises.h"
 #include "tests/unit/promises/random_cases.h"
+#include "tests/unit/promises/random_parts.h"
+#include "tests/unit/promises/random_segments.h"
 #include "tests/unit/suite.h"
 #include "viewer/reference/reference.h"
 
@@ -36,6 +39,15 @@ PictureError errorOf(const Picture& picture, Picture& truth, double most, const 
     std::copy_n(&right.rgba[n][0], 4, truth.row(pixels[n].y) + 4 * pixels[n].x);
   }
   return compare(picture, truth, use);
+}
+
+RandomCase caseOf(Family family, std::uint64_t seed, bool hasSegments) {
+  RandomCase c = randomCase(family, seed);
+  if (!hasSegments || !c.volume) return c;
+  Chance chance(seed);
+  c.scene.mode = Mode::composite;
+  c.scene.segments = randomSegments(chance, c.volume->geometry());
+  return c;
 }
 
 }  // namespace
@@ -86,19 +98,23 @@ class TestRandomPilots : public QObject {
 void TestRandomPilots::addCases() {
   QTest::addColumn<Family>("family");
   QTest::addColumn<quint64>("seed");
+  QTest::addColumn<bool>("hasSegments");
   const QString only = qEnvironmentVariable("VOLUMEN_RANDOM_FAMILY");
   for (const Family family : families) {
     if (!only.isEmpty() && only != QLatin1String(nameOf(family))) continue;
-    const Seeds seeds = seedsOf(family == Family::pieces ? 100 : 20, 300);
+    const Seeds seeds = seedsOf(family == Family::pieces ? 60 : 12, 300);
     for (int n = seeds.first; n < seeds.behindLast(); ++n)
-      QTest::addRow("%s, seed %d", nameOf(family), n) << family << quint64(n);
+      for (const bool hasSegments : {false, true})
+        QTest::addRow("%s%s, seed %d", nameOf(family), hasSegments ? " with segments" : "", n)
+            << family << quint64(n) << hasSegments;
   }
 }
 
 void TestRandomPilots::thePictureKeepsThePromise() {
   QFETCH(Family, family);
   QFETCH(quint64, seed);
-  const RandomCase c = randomCase(family, seed);
+  QFETCH(bool, hasSegments);
+  const RandomCase c = caseOf(family, seed, hasSegments);
   NEED_VOLUME(c.volume);
   if (c.scene.mode != Mode::composite) return;
   const glm::ivec2 size = 16 * c.size;
@@ -141,7 +157,8 @@ void TestRandomPilots::thePictureKeepsThePromise() {
 void TestRandomPilots::aDraftIsStandardSeenFromAfar() {
   QFETCH(Family, family);
   QFETCH(quint64, seed);
-  const RandomCase c = randomCase(family, seed);
+  QFETCH(bool, hasSegments);
+  const RandomCase c = caseOf(family, seed, hasSegments);
   NEED_VOLUME(c.volume);
   RenderCaches caches(c.volume);
   const auto drawnAt = [&](Quality quality) {
