@@ -22,6 +22,7 @@ std::function<int()> makeArchive(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeCompare(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeConvert(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeForget(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeImport(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeInfo(CLI::App& app, const CancelToken& cancel);

@@ -86,9 +86,11 @@ constexpr Entry commands[] = {
     {"info", "List patients, studies and series, with geometry and warnings", volumen::makeInfo, true},
     {"import", "Read studies into the index", volumen::makeImport},
     {"list", "List the studies of the index", volumen::makeList},
-    {"archive", "Search archives beside this machine (PACS), fetch from them, send to them, and receive", volumen::makeArchive},
+    {"archive", "Search archives beside this machine (PACS), fetch from them, send to them, and receive",
+     volumen::makeArchive},
     {"forget", "Take studies out of the index; their files stay", volumen::makeForget},
     {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert, true},
+    {"export", "Copy DICOM files without the identity of the patient", volumen::makeExport},
     {"segment", "Segment by a recipe or a value range, and measure", volumen::makeSegment, true},
     {"compare", "Compare the segments of two files", volumen::makeCompare},
     {"measure", "Measure lengths, angles, regions, volumes and segments", volumen::makeMeasure, true},
@@ -120,8 +122,8 @@ std::vector<std::string> argumentsOf(int argc, char** argv) {
 
 bool isPath(const std::string& word) {
   std::error_code ignored;
-  return word.empty() || volumen::isStudyName(word) ||
-         word.find_first_of("/.") != std::string::npos || std::filesystem::exists(word, ignored);
+  return word.empty() || volumen::isStudyName(word) || word.find_first_of("/.") != std::string::npos ||
+         std::filesystem::exists(word, ignored);
 }
 
 bool isCommand(const std::string& word) {

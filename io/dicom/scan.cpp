@@ -19,12 +19,15 @@ bool isOneOf(std::uint16_t vr, const char* const (&names)[n]) {
                      [&](const char* name) { return vr == vrOf(name[0], name[1]); });
 }
 
-/// Returns whether the VR has a four-byte length after two reserved bytes (PS3.5 7.1.2).
+}  // namespace
+
 bool hasLongLength(std::uint16_t vr) {
   constexpr const char* names[] = {"OB", "OD", "OF", "OL", "OV", "OW", "SQ",
                                    "SV", "UC", "UN", "UR", "UT", "UV"};
   return isOneOf(vr, names);
 }
+
+namespace {
 
 /// Returns whether the VR is one of PS3.5 6.2.
 bool isVr(std::uint16_t vr) {

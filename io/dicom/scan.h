@@ -64,6 +64,9 @@ Encoding encodingFound(Bytes head, std::uint64_t offset, Encoding expected);
 Result<DataSetScan> scanDataSet(Bytes head, std::uint64_t offset, std::uint64_t fileSize, Encoding encoding,
                                 DataSetScan* before = nullptr);
 
+/// Returns whether the VR has a four-byte length after two reserved bytes (PS3.5 7.1.2).
+bool hasLongLength(std::uint16_t vr);
+
 /// Returns "(0028,0010)".
 std::string tagText(std::uint32_t tag);
 

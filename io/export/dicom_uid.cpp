@@ -37,15 +37,20 @@ DicomUids::DicomUids(std::span<const std::uint8_t> contents, const std::string& 
 
 std::string DicomUids::of(const std::string& what) const {
   const QByteArray space(reinterpret_cast<const char*>(contents_.data()), qsizetype(contents_.size()));
-  QByteArray bytes =
+  const QByteArray bytes =
       QUuid::createUuidV5(QUuid::fromRfc4122(space), QByteArray::fromStdString(what)).toRfc4122();
-  // Converts the 128 bits to one decimal number.
+  std::array<std::uint8_t, 16> uuid;
+  std::copy_n(bytes.cbegin(), uuid.size(), uuid.begin());
+  return uidOfUuid(uuid);
+}
+
+std::string uidOfUuid(std::array<std::uint8_t, 16> uuid) {
   std::string digits;
-  while (std::any_of(bytes.cbegin(), bytes.cend(), [](char c) { return c != 0; })) {
+  while (std::ranges::any_of(uuid, [](std::uint8_t byte) { return byte != 0; })) {
     int rest = 0;
-    for (char& byte : bytes) {
-      const int value = rest * 256 + std::uint8_t(byte);
-      byte = char(value / 10);
+    for (std::uint8_t& byte : uuid) {
+      const int value = rest * 256 + byte;
+      byte = std::uint8_t(value / 10);
       rest = value % 10;
     }
     digits.insert(digits.begin(), char('0' + rest));

@@ -16,11 +16,11 @@ const QString folder = QStringLiteral(":/docs/");
 
 // Pages in reading order.
 const QStringList pages{
-    QStringLiteral("window.md"),    QStringLiteral("import.md"),      QStringLiteral("archives.md"),
-    QStringLiteral("accuracy.md"),  QStringLiteral("performance.md"), QStringLiteral("picture.md"),
-    QStringLiteral("slices.md"),    QStringLiteral("measure.md"),     QStringLiteral("segment.md"),
-    QStringLiteral("protocols.md"), QStringLiteral("tasks.md"),       QStringLiteral("design.md"),
-    QStringLiteral("kernels.md")};
+    QStringLiteral("window.md"),   QStringLiteral("import.md"),      QStringLiteral("archives.md"),
+    QStringLiteral("accuracy.md"), QStringLiteral("performance.md"), QStringLiteral("picture.md"),
+    QStringLiteral("slices.md"),   QStringLiteral("measure.md"),     QStringLiteral("segment.md"),
+    QStringLiteral("export.md"),   QStringLiteral("protocols.md"),   QStringLiteral("tasks.md"),
+    QStringLiteral("design.md"),   QStringLiteral("kernels.md")};
 
 // Returns the first heading of a page.
 QString titleOf(const QString& page) {

@@ -22,11 +22,10 @@ using namespace volumen::tests;
 
 namespace {
 
-const char* const commands[] = {"open",         "render",        "slice",         "info",
-                                "import",       "list",          "archive",       "archive list",
-                                "archive test", "archive query", "archive fetch", "archive receive",
-                                "forget",       "convert",       "segment",       "compare",
-                                "measure",      "accuracy",      "bench"};
+const char* const commands[] = {
+    "open",         "render",       "slice",         "info",          "import",          "list",   "archive",
+    "archive list", "archive test", "archive query", "archive fetch", "archive receive", "forget", "convert",
+    "export",       "segment",      "compare",       "measure",       "accuracy",        "bench"};
 
 /// Returns the manual page without markup.
 QString manual() {

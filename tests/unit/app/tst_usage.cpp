@@ -56,7 +56,8 @@ void TestUsage::whatIsMistypedIsToldAtOnce_data() {
   row("rendre x", 2,
       "Unknown command \"rendre\". Did you mean render? Commands: open, render, slice, info, import, list, "
       "archive, "
-      "forget, convert, segment, compare, measure, accuracy, bench (plain `volumen` opens the window).");
+      "forget, convert, export, segment, compare, measure, accuracy, bench (plain `volumen` opens the "
+      "window).");
   row("draw", 2, "Unknown command \"draw\". Commands: open");
   // PATH /nowhere does not exist, so these options must be checked before it.
   row("render /nowhere --preset CT-bone -o a.png", 2,
@@ -85,7 +86,9 @@ void TestUsage::whatIsMistypedIsToldAtOnce_data() {
   row("render /nowhere -o /tmp/none.png", 1, "Cannot open /nowhere: no such file or folder.");
   row("info nowhere", 1, "Cannot open nowhere: no such file or folder.");
   row("render phantom:sphere:8", 2, "Missing output file: use -o PICTURE (.png or .nrrd).");
-  row("render", 2, "Missing PATH: a file, a folder, index:STUDY[/SERIES], archive:NAME/STUDY[/SERIES] or phantom:NAME[:SIZE].");
+  row("render", 2,
+      "Missing PATH: a file, a folder, index:STUDY[/SERIES], archive:NAME/STUDY[/SERIES] or "
+      "phantom:NAME[:SIZE].");
   row("improt x", 2, "Unknown command \"improt\". Did you mean import?");
   row("import", 2, "Missing PATH: files and folders.");
   row("import /nowhere --index /proc/x", 1, "Cannot make the folder /proc/x");

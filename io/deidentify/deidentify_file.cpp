@@ -1,0 +1,230 @@
+#include "io/deidentify/deidentify_file.h"
+
+#include <QString>
+#include <algorithm>
+
+#include "io/deidentify/rewrite_data_set.h"
+#include "io/dicom/data_set.h"
+#include "io/dicom/scanned_file.h"
+#include "io/files/output_file.h"
+#include "io/regular_file.h"
+#include "io/worker/batches.h"
+
+namespace volumen {
+
+static void fields(worker::Wire& w, FilePart& part) { w(part.offset, part.length, part.bytes); }
+static void fields(worker::Wire& w, Retained& r) {
+  w(r.uids, r.dates, r.device, r.institution, r.patient, r.descriptors, r.privates, r.shiftDays);
+}
+static void fields(worker::Wire& w, DeidentifiedFile& f) {
+  w(f.parts, f.transferSyntax, f.sopClass, f.studyUid, f.seriesUid, f.instanceUid, f.modality, f.mayShowText,
+    f.mayShowFace, f.hasLostSuv);
+}
+
+namespace {
+
+using dicom::DataSet;
+using dicom::Encoding;
+using dicom::ScannedFile;
+
+// Identify the program that wrote a file (PS3.10 7.1).
+constexpr const char* implementationClassUid = "2.25.201107755137305124765928151552104590321";
+constexpr const char* implementationVersionName = "VOLUMEN";
+
+// Returns the transfer syntax of the bytes as they are, inflated; empty if there is none.
+std::string writtenSyntax(const dicom::TransferSyntax& syntax) {
+  const Encoding expected = dicom::transferSyntax(syntax.uid).encoding, found = syntax.encoding;
+  const bool isAsNamed = found.explicitVr == expected.explicitVr && found.bigEndian == expected.bigEndian;
+  if (isAsNamed && !syntax.deflated) return syntax.uid;
+  if (syntax.coding != dicom::Coding::native) return "";
+  if (found.bigEndian) return found.explicitVr ? "1.2.840.10008.1.2.2" : "";
+  return found.explicitVr ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2";
+}
+
+// Returns why a class cannot be cleaned; empty if it can.
+std::string problemOfClass(const std::string& sopClass) {
+  if (sopClass == "1.2.840.10008.1.3.10") return "it is a DICOMDIR, which lists names of files and patients";
+  if (sopClass.starts_with("1.2.840.10008.5.1.4.1.1.104."))
+    return "it holds a document (PDF, CDA, STL), which cannot be cleaned";
+  if (!sopClass.starts_with("1.2.840.10008."))
+    return sopClass.empty() ? "it has no SOP class"
+                            : "it is of a manufacturer's own class, which cannot be cleaned";
+  return "";
+}
+
+bool holdsOneOf(const std::string& text, std::initializer_list<const char*> words) {
+  const QString upper = QString::fromStdString(text).toUpper();
+  return std::ranges::any_of(words, [&](const char* word) { return upper.contains(QLatin1String(word)); });
+}
+
+void notePixels(const DataSet& data, const Retained& retained, DeidentifiedFile& file) {
+  const auto text = [&](std::uint32_t tag) { return data.text(tag, data.root()); };
+  file.modality = text(0x00080060);
+  const std::string burnedIn = text(0x00280301);
+  const bool isOften =
+      holdsOneOf(file.modality, {"US", "SC", "OT", "XA", "RF", "ES", "XC", "GM", "SM", "OP", "IVUS"});
+  file.mayShowText = burnedIn == "YES" || (isOften && burnedIn != "NO");
+  const std::string part = text(0x00180015) + " " + text(0x00081030) + " " + text(0x0008103e);
+  file.mayShowFace =
+      holdsOneOf(file.modality, {"CT", "MR", "PT"}) &&
+      holdsOneOf(part, {"HEAD", "BRAIN", "SKULL", "FACE", "FACIAL", "ORBIT", "SINUS", "NECK", "KOPF",
+                        "SCHAEDEL", "HIRN", "CRAN", "CEREB", "CEREV", "NEURO", "WHOLE"});
+  file.hasLostSuv =
+      file.modality == "PT" && !(retained.patient && (retained.dates || retained.shiftDays != 0));
+}
+
+// Returns the end of fragments in the file, after the delimiter (PS3.5 A.4). The Error: it ends before.
+Result<std::uint64_t> endOfFragments(const RegularFile& file, std::uint64_t at) {
+  constexpr std::uint64_t header = 8;
+  while (at + header <= file.size()) {
+    const auto bytes = file.read(at, header);
+    if (!bytes) return bytes.error();
+    const auto half = [&](std::uint64_t n) {
+      return std::uint32_t(dicom::numberAt<std::uint16_t>(*bytes, n, false));
+    };
+    const std::uint32_t tag = half(0) << 16 | half(2);
+    const auto length = dicom::numberAt<std::uint32_t>(*bytes, 4, false);
+    at += header;
+    if (tag == dicom::sequenceEndTag) return at;
+    if (tag != dicom::itemTag || length > file.size() - at) break;
+    at += length;
+  }
+  return Error{"its pixels are cut off"};
+}
+
+// Adds the pixels as they are.
+Status addPixels(const ScannedFile& s, const RegularFile& file, Encoding encoding, FileParts& parts) {
+  if (!s.dataSet.pixels) return {};
+  const dicom::Element& e = *s.dataSet.pixels;
+  const std::uint16_t vr = e.vr ? e.vr : dicom::vrOf('O', 'W');
+  if (e.length != dicom::undefinedLength) {
+    if (e.offset + e.length > s.size) return Error{"its pixels are cut off"};
+    parts.addHeader(encoding, e.tag, vr, std::uint32_t(e.length));
+    parts.copy(e.offset, e.length);
+    return {};
+  }
+  if (s.inflatedFrom) return Error{"its pixels are compressed twice"};
+  const auto end = endOfFragments(file, e.offset);
+  if (!end) return end.error();
+  parts.addHeader(encoding, e.tag, vr, std::uint32_t(dicom::undefinedLength));
+  parts.copy(e.offset, *end - e.offset);
+  return {};
+}
+
+Status rewrite(const ScannedFile& s, const RegularFile& file, const Retained& retained,
+               const Pseudonyms& pseudonyms, DeidentifiedFile& out) {
+  const Encoding encoding = s.syntax.encoding;
+  FileParts parts(s.head, s.inflatedFrom == 0);
+  if (Status done = rewriteDataSet({s.head, s.dataSet.elements, encoding}, retained, pseudonyms, parts);
+      !done)
+    return done;
+  if (Status added = addPixels(s, file, encoding, parts); !added) return added;
+  out.parts = std::move(parts).take();
+  return {};
+}
+
+Result<DeidentifiedFile> deidentifiedHere(const std::string& path, const Retained& retained,
+                                          const std::string& key) {
+  worker::needAll();
+  const Result<RegularFile> file = RegularFile::open(path);
+  if (!file) return file.error();
+  ScannedFile s;
+  if (Status read = s.readMeta(*file); !read) return read.error();
+  const Status scanned = s.scan(*file);
+  const DataSet data(s.head, s.dataSet.elements);
+  const Pseudonyms pseudonyms(key);
+  const auto uid = [&](std::uint32_t tag) {
+    const std::string old = data.text(tag, data.root());
+    return retained.uids ? old : pseudonyms.uid(old);
+  };
+  DeidentifiedFile out;
+  out.sopClass = data.text(0x00080016, data.root());
+  if (!s.meta.magic && (!scanned || out.sopClass.empty())) return Error{noDicomFile};
+  if (!scanned) return scanned.error();
+  if (const std::string problem = problemOfClass(out.sopClass); !problem.empty()) return Error{problem};
+  out.studyUid = uid(0x0020000d), out.seriesUid = uid(0x0020000e), out.instanceUid = uid(0x00080018);
+  if (out.studyUid.empty() || out.seriesUid.empty() || out.instanceUid.empty())
+    return Error{"it lacks the UID of its study, series or instance"};
+  out.transferSyntax = writtenSyntax(s.syntax);
+  if (out.transferSyntax.empty()) return Error{"its elements are not encoded as its transfer syntax says"};
+  notePixels(data, retained, out);
+  if (Status done = rewrite(s, *file, retained, pseudonyms, out); !done) return done.error();
+  return out;
+}
+
+// File meta information (PS3.10 7.1) with its preamble.
+std::string metaOf(const DeidentifiedFile& file) {
+  constexpr std::uint32_t mediaClass = 0x00020002, mediaInstance = 0x00020003, syntax = 0x00020010,
+                          implementation = 0x00020012, implementationName = 0x00020013;
+  constexpr std::size_t preamble = 128;
+  FileParts group({}, true);
+  const Encoding plain;
+  const std::uint16_t ui = dicom::vrOf('U', 'I');
+  group.addElement(plain, 0x00020001, dicom::vrOf('O', 'B'), std::string_view("\0\1", 2));
+  group.addElement(plain, mediaClass, ui, file.sopClass);
+  group.addElement(plain, mediaInstance, ui, file.instanceUid);
+  group.addElement(plain, syntax, ui, file.transferSyntax);
+  group.addElement(plain, implementation, ui, implementationClassUid);
+  group.addElement(plain, implementationName, dicom::vrOf('S', 'H'), implementationVersionName);
+  const std::string elements = std::move(group).take().front().bytes;
+  FileParts meta({}, true);
+  meta.add(std::string(preamble, '\0') + "DICM");
+  std::string length;
+  for (int shift = 0; shift < 32; shift += 8) length += char(elements.size() >> shift & 0xff);
+  meta.addElement(plain, 0x00020000, dicom::vrOf('U', 'L'), length);
+  meta.add(elements);
+  return std::move(meta).take().front().bytes;
+}
+
+// Calls take(bytes) for all bytes of the file in order, until it fails.
+template <class Take>
+Status forEachPart(const DeidentifiedFile& file, const std::string& source, const Take& take) {
+  const Result<RegularFile> from = RegularFile::open(source);
+  if (!from) return Error{source + " cannot be read: " + from.message() + "."};
+  if (Status s = take(metaOf(file)); !s) return s;
+  constexpr std::uint64_t most = 8 << 20;
+  for (const FilePart& part : file.parts) {
+    if (!part.bytes.empty())
+      if (Status s = take(part.bytes); !s) return s;
+    const std::uint64_t end = part.offset + part.length;
+    for (std::uint64_t at = part.offset; part.bytes.empty() && at < end; at += most) {
+      const auto bytes = from->read(at, std::min(most, end - at));
+      if (!bytes) return Error{source + " cannot be read: " + bytes.message() + "."};
+      if (Status s = take({reinterpret_cast<const char*>(bytes->data()), bytes->size()}); !s) return s;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+Result<DeidentifiedFile> deidentifiedFile(const std::string& path, const Retained& retained,
+                                          const std::string& key, const CancelToken& cancel) {
+  worker::Request request = worker::headersOf({path}, cancel);
+  worker::Failure failure{};
+  return worker::isolated<deidentifiedHere>(request, failure, path, retained, key);
+}
+
+bool isWrittenAt(const DeidentifiedFile& file, const std::string& source, const std::string& path) {
+  const auto there = RegularFile::open(path);
+  if (!there) return false;
+  std::uint64_t at = 0;
+  const Status same = forEachPart(file, source, [&](std::string_view bytes) {
+    const auto found = there->read(at, bytes.size());
+    at += bytes.size();
+    const bool isSame = found && std::equal(bytes.begin(), bytes.end(), found->begin(), found->end(),
+                                            [](char a, std::uint8_t b) { return std::uint8_t(a) == b; });
+    return isSame ? Status() : Status(Error{"other bytes"});
+  });
+  return same && at == there->size();
+}
+
+Status writeDeidentified(const DeidentifiedFile& file, const std::string& source, const std::string& to) {
+  auto out = OutputFile::create(to);
+  if (!out) return out.error();
+  if (Status s = forEachPart(file, source, [&](std::string_view bytes) { return out->write(bytes); }); !s)
+    return s;
+  return out->commit();
+}
+
+}  // namespace volumen

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/deidentify/file_parts.h"
+#include "io/deidentify/profile.h"
+#include "viewer/volume/cancel.h"
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// Error of deidentifiedFile() for files of other kinds.
+inline constexpr const char* noDicomFile = "it is no DICOM file";
+
+/// A DICOM file without identity: what to write, and what the pixels may still show.
+struct DeidentifiedFile {
+  std::vector<FilePart> parts;  ///< of the data set, in `transferSyntax`
+  std::string transferSyntax, sopClass, studyUid, seriesUid, instanceUid;  ///< the new ones
+  std::string modality;
+  bool mayShowText = false;  ///< names may be burned into the pixels
+  bool mayShowFace = false;  ///< a face may be recognised in a rendering
+  bool hasLostSuv = false;   ///< weight or times are gone, without which PET shows no SUV
+};
+
+/// Returns a file of PS3.10 de-identified (rewriteDataSet()), read in a worker if there are any; `key` is
+/// that of Pseudonyms. The Error, without the file's name and full stop: it cannot be read, or it is of a
+/// class that cannot be cleaned.
+Result<DeidentifiedFile> deidentifiedFile(const std::string& path, const Retained& retained,
+                                          const std::string& key, const CancelToken& cancel);
+
+/// Returns whether a file holds exactly what writeDeidentified() would write.
+bool isWrittenAt(const DeidentifiedFile& file, const std::string& source, const std::string& path);
+
+/// Writes it to `to`, with the parts that it takes from `source`.
+Status writeDeidentified(const DeidentifiedFile& file, const std::string& source, const std::string& to);
+
+}  // namespace volumen

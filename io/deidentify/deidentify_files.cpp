@@ -1,0 +1,114 @@
+#include "io/deidentify/deidentify_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <mutex>
+#include <set>
+
+#include "io/archive/fetch_archive.h"
+#include "io/deidentify/deidentify_file.h"
+#include "io/dicom/parallel.h"
+#include "io/files/private_folder.h"
+
+namespace volumen {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Copies {
+ public:
+  Copies(const std::string& folder, const Deidentification& how, const CancelToken& cancel)
+      : folder_(folder), how_(how), cancel_(cancel) {}
+
+  void add(const std::string& path) {
+    const Result<DeidentifiedFile> file = deidentifiedFile(path, how_.retained, how_.key, cancel_);
+    if (cancel_.cancelled()) return;
+    if (!file) return leaveOut(path, file.message());
+    const std::string series = folder_ + "/" + nameForUid(file->studyUid) + "/" + nameForUid(file->seriesUid);
+    const std::string target = series + "/" + nameForUid(file->instanceUid) + ".dcm";
+    if (!claim(target)) return compareLater(path, target, *file);
+    std::error_code ignored;
+    const bool isThere = fs::exists(target, ignored);
+    Status written = makePrivateFolder(series);
+    if (written && !isThere) written = writeDeidentified(*file, path, target);
+    const bool isSame = !isThere || isWrittenAt(*file, path, target);
+    const std::lock_guard lock(mutex_);
+    if (!written) problem_ = written;
+    if (!isSame) return report_.leftOut.push_back({path, target + " is there already, with other contents"});
+    ++(isThere ? report_.alreadyThere : report_.written);
+    if (file->mayShowText) withText_.insert(series);
+    if (file->mayShowFace) withFaces_.insert(series);
+    if (file->hasLostSuv) withoutSuv_.insert(series);
+  }
+
+  // Compares files with those of the same instance that are written now.
+  void compareAll() {
+    for (const auto& [path, target, file] : later_)
+      if (isWrittenAt(file, path, target))
+        ++report_.twice;
+      else
+        report_.leftOut.push_back({path, "another file with other contents has the same instance UID"});
+  }
+
+  Result<DeidentifyReport> report() && {
+    if (cancel_.cancelled()) return Error{"cancelled"};
+    if (!problem_) return problem_.error();
+    std::ranges::sort(report_.leftOut, {}, &Refused::path);
+    report_.withText.assign(withText_.begin(), withText_.end());
+    report_.withFaces.assign(withFaces_.begin(), withFaces_.end());
+    report_.withoutSuv.assign(withoutSuv_.begin(), withoutSuv_.end());
+    return std::move(report_);
+  }
+  bool hasProblem() {
+    const std::lock_guard lock(mutex_);
+    return !problem_;
+  }
+
+ private:
+  bool claim(const std::string& target) {
+    const std::lock_guard lock(mutex_);
+    return targets_.insert(target).second;
+  }
+  void compareLater(const std::string& path, const std::string& target, const DeidentifiedFile& file) {
+    const std::lock_guard lock(mutex_);
+    later_.push_back({path, target, file});
+  }
+  void leaveOut(const std::string& path, const std::string& reason) {
+    const std::lock_guard lock(mutex_);
+    if (reason == noDicomFile)
+      ++report_.notDicom;
+    else
+      report_.leftOut.push_back({path, reason});
+  }
+
+  struct Later {
+    std::string path, target;
+    DeidentifiedFile file;
+  };
+
+  const std::string folder_;
+  const Deidentification& how_;
+  const CancelToken& cancel_;
+  std::mutex mutex_;
+  Status problem_;  // of the folder
+  DeidentifyReport report_;
+  std::vector<Later> later_;
+  std::set<std::string> targets_, withText_, withFaces_, withoutSuv_;
+};
+
+}  // namespace
+
+Result<DeidentifyReport> deidentifyFiles(const std::vector<std::string>& files, const std::string& folder,
+                                         const Deidentification& how, const Progress& progress,
+                                         const CancelToken& cancel) {
+  if (Status made = makePrivateFolder(folder); !made) return made.error();
+  Copies copies(folder, how, cancel);
+  dicom::forEachParallel(files.size(), "writing", progress, cancel, [&](std::size_t n) {
+    if (!copies.hasProblem()) copies.add(files[n]);
+  });
+  copies.compareAll();
+  return std::move(copies).report();
+}
+
+}  // namespace volumen

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "io/dicom/scan.h"
+
+namespace volumen {
+
+/// A part of a file to be written: new bytes, or, if there are none, a range of the source.
+struct FilePart {
+  std::uint64_t offset = 0, length = 0;
+  std::string bytes;
+};
+
+/// Collects the parts of a data set. `source` are the bytes to which offsets refer. If they are not those of
+/// the source's file (inflated), all parts hold bytes.
+class FileParts {
+ public:
+  FileParts(dicom::Bytes source, bool isInFile) : source_(source), isInFile_(isInFile) {}
+
+  /// Adds a range of the source; it may reach beyond the bytes at hand if they are those of the file.
+  void copy(std::uint64_t offset, std::uint64_t length);
+  void add(std::string_view bytes);
+  /// Adds an element with its value, padded to an even length (PS3.5 6.2, 7.1).
+  void addElement(dicom::Encoding encoding, std::uint32_t tag, std::uint16_t vr, std::string_view value);
+  /// Adds the header of an element, item or delimiter.
+  void addHeader(dicom::Encoding encoding, std::uint32_t tag, std::uint16_t vr, std::uint32_t length);
+
+  std::vector<FilePart> take() && { return std::move(parts_); }
+
+ private:
+  dicom::Bytes source_;
+  const bool isInFile_;
+  std::vector<FilePart> parts_;
+};
+
+}  // namespace volumen

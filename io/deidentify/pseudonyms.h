@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// Makes new UIDs and names that follow from old ones and a secret key (HMAC-SHA256): equal ones stay equal
+/// across files and runs, and without the key nobody can tell which was which.
+class Pseudonyms {
+ public:
+  explicit Pseudonyms(std::string key) : key_(std::move(key)) {}
+
+  /// Returns the new UID for an instance, series, study, frame of reference and so on. Those of the standard
+  /// (1.2.840.10008) stay.
+  std::string uid(const std::string& old) const;
+  /// Returns a name of ten letters and digits.
+  std::string name(const std::string& old) const;
+  const std::string& key() const { return key_; }
+
+ private:
+  std::string key_;
+};
+
+/// Returns the user's key, in a file of the settings that only the user may read; it is made at first. The
+/// Error: it can be neither read nor made.
+Result<std::string> userPseudonymKey();
+
+/// Returns the key in a file: its bytes, at least 16.
+Result<std::string> pseudonymKeyIn(const std::string& path);
+
+}  // namespace volumen

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/deidentify/file_parts.h"
+#include "io/deidentify/profile.h"
+
+namespace volumen {
+
+/// Edition of the table of attributes that is compiled in.
+inline constexpr const char* profileEdition = "PS3.15 E.1-1 2026c";
+
+/// A code with its meaning, of scheme DCM.
+struct MethodCode {
+  const char *value, *meaning;
+};
+
+/// An element that says what was done; a sequence of codes if there are any.
+struct StatementElement {
+  std::uint32_t tag;
+  std::uint16_t vr;
+  std::string value;
+  std::vector<MethodCode> codes;
+};
+
+/// Returns the elements that say how a data set was de-identified, in order of their tags (PS3.3 C.7.1.1,
+/// C.12.1, codes of CID 7050).
+std::vector<StatementElement> statementElements(const Retained& retained);
+
+void addStatement(const StatementElement& element, dicom::Encoding encoding, FileParts& parts);
+
+/// Returns whether a SOP class is an image of one frame or an older multi-frame one, in which dates of series
+/// and acquisition are optional.
+bool isClassicImage(const std::string& sopClass);
+
+}  // namespace volumen
