@@ -134,7 +134,7 @@ std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
       ->type_name("FILE");
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen export scans/ --deidentify -o teaching/",
-                    "volumen export index:12 --deidentify --keep patient --shift-dates -400 -o study/"});
+                    "volumen export scans/ --deidentify --keep patient --shift-dates -400 -o study/"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 
