@@ -123,7 +123,7 @@ std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
          "age, size, weight), descriptors (known words only), private (elements that are known to be safe)")
       ->type_name("LIST")
       ->delimiter(',')
-      ->check(CLI::IsMember(names));
+      ->check(CLI::IsMember(names).description(""));
   wholeNumber(app.add_option("--shift-dates", options->retained.shiftDays,
                              "Keep dates, moved by this number of days"),
               -36500, 36500);
