@@ -107,7 +107,7 @@ class Fetch {
     const std::string folder = request_.folder + "/" + nameForUid(seriesUid);
     if (Status s = makePrivateFolder(folder); !s) return s;
     const std::size_t most = 2 * series.instances.size() + 1000;
-    InstanceFolder files(folder, request_.studyUid, seriesUid, most, [&] {
+    InstanceFolder files(archive_.name, folder, request_.studyUid, seriesUid, most, [&] {
       if (progress_) progress_("fetching", ++stored_, std::size_t(report_.expected));
     });
     const int before = filesIn(folder);

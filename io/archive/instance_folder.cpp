@@ -24,9 +24,10 @@ Result<std::string> InstanceFolder::begin() {
 
 Status InstanceFolder::end(const dicom::InstanceUids& uids) {
   const bool isOfSeries = uids.study == studyUid_ && uids.series == seriesUid_ && !uids.instance.empty();
-  if (!isOfSeries || has(uids.instance)) return drop(), Status();
-  if (left_ == 0) return drop(), Error{"More images come than the archive lists."};
+  // The same one again counts, too: a faulty archive never ends.
+  if (left_ == 0) return drop(), Error{"The archive \"" + archive_ + "\" sends more images than it lists."};
   --left_;
+  if (!isOfSeries || has(uids.instance)) return drop(), Status();
   std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(written_->asidePath(), ignored);
   const Status kept = written_->commitAs(pathOf(uids.instance));

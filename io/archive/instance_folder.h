@@ -14,10 +14,11 @@ namespace volumen {
 class InstanceFolder : public InstanceSink {
  public:
   /// `folder` must exist. `onStored` is called after each instance.
-  /// After `most` instances it takes no more.
-  InstanceFolder(std::string folder, std::string studyUid, std::string seriesUid, std::size_t most,
-                 std::function<void()> onStored = {})
-      : folder_(std::move(folder)),
+  /// After `most` instances of `archive`, its name, it takes no more.
+  InstanceFolder(std::string archive, std::string folder, std::string studyUid, std::string seriesUid,
+                 std::size_t most, std::function<void()> onStored = {})
+      : archive_(std::move(archive)),
+        folder_(std::move(folder)),
         studyUid_(std::move(studyUid)),
         seriesUid_(std::move(seriesUid)),
         left_(most),
@@ -33,7 +34,7 @@ class InstanceFolder : public InstanceSink {
  private:
   std::string pathOf(const std::string& sopInstanceUid) const;
 
-  const std::string folder_, studyUid_, seriesUid_;
+  const std::string archive_, folder_, studyUid_, seriesUid_;
   std::size_t left_;
   const std::function<void()> onStored_;
   std::optional<OutputFile> written_;
