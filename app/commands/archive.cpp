@@ -151,9 +151,12 @@ int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
   if (request.folder.empty()) request.folder = fetchedFolder(indexFolderOr(options.index), request.studyUid);
   const auto report = fetchFromArchive(*archive, request, terminalProgress(), cancel);
   endTerminalProgress();
-  if (!report) return fail(report.message(), cancel);
+  const auto failFetch = [&](const std::string& sentence) {
+    return fail(cancel.cancelled() ? "Interrupted; images that came whole are kept." : sentence);
+  };
+  if (!report) return failFetch(report.message());
   if (options.folder.empty())
-    if (Status s = addToIndex(options, request.folder, cancel); !s) return fail(s.message(), cancel);
+    if (Status s = addToIndex(options, request.folder, cancel); !s) return failFetch(s.message());
   print(*report, request.folder, options.json);
   for (const std::string& problem : report->problems) std::cerr << "volumen: " << printable(problem) << '\n';
   return report->isAll() ? exitDone : exitLosses;
@@ -176,6 +179,9 @@ void print(const SendReport& report, const ArchiveOptions& options) {
     if (!report.notDicom.empty()) std::cout << "; " << report.notDicom.size() << " files hold none";
     std::cout << '\n';
   }
+}
+
+void tellReasons(const SendReport& report) {
   std::set<std::string> reasons;
   for (const Refused& one : report.failed)
     if (reasons.insert(one.reason).second)
@@ -193,11 +199,14 @@ int send(const ArchiveOptions& options, const CancelToken& cancel) {
   }
   const auto report = sendToArchive(*archive, files, terminalProgress(), cancel);
   endTerminalProgress();
-  if (!report) return fail(report.message(), cancel);
+  const std::string interrupted = "Interrupted; what was sent stays in the archive.";
+  if (!report) return fail(cancel.cancelled() ? interrupted : report.message());
   if (report->instances == 0)
     return fail("There is nothing to send: " +
                 (report->notDicom.empty() ? "no files were found." : report->notDicom.front().reason + "."));
   print(*report, options);
+  if (cancel.cancelled()) return fail(interrupted);
+  tellReasons(*report);
   return report->failed.empty() ? exitDone : report->sent > 0 ? exitLosses : exitFailed;
 }
 

@@ -41,7 +41,8 @@ Cause causeOf(const OFCondition& why) {
     cause.text.erase(0, 10);
   }
   cause.text = cause.text.substr(0, cause.text.find(" occurred in routine"));
-  if (const std::size_t colon = cause.text.rfind(": "); colon != std::string::npos)
+  const std::size_t colon = cause.text.rfind(": ");
+  if (colon != std::string::npos && !cause.text.starts_with("DIMSE"))
     cause.text = cause.text.substr(colon + 2);
   return cause;
 }
@@ -180,10 +181,15 @@ Error Association::Private::failure(const OFCondition& why, T_ASC_Parameters* pa
     case DULC_ILLEGALPDU:
     case DULC_ILLEGALPDULENGTH:
     case DULC_UNRECOGNIZEDPDUTYPE:
-      return {name + "does not answer in DICOM: is this the port of another service, or does it use TLS?"};
+      if (!associated)
+        return {name + "does not answer in DICOM: is this the port of another service, or does it use TLS?"};
+      break;
+    case DIMSEC_UNEXPECTEDREQUEST:  // that of Retrieval
+      return {name + cause.text + "."};
     default:
-      return {name + "fails: " + cause.text + "."};
+      if (!associated) return {name + "fails: " + cause.text + "."};
   }
+  return {name + "does not keep to DICOM (" + cause.text + ")."};
 }
 
 T_ASC_PresentationContextID Association::Private::contextOf(const std::string& sopClass) const {

@@ -7,6 +7,7 @@
 #include "io/archive/association_private.h"
 #include "io/archive/receive_data_set.h"
 #include "io/dicom/instance_uids.h"
+#include "io/worker/call.h"
 
 namespace volumen {
 
@@ -70,7 +71,8 @@ class Retrieval {
         }
         if (++pending_ > mostPending) return endless();
       } else {
-        return makeOFCondition(OFM_dcmnet, DIMSEC_UNEXPECTEDREQUEST, OF_error, "unexpected message");
+        return makeOFCondition(OFM_dcmnet, DIMSEC_UNEXPECTEDREQUEST, OF_error,
+                               "sends another message than was asked for");
       }
       if (done.bad()) return done;
     }
@@ -128,6 +130,8 @@ class Retrieval {
     const auto uids = dicom::instanceUids(path);
     if (!uids) {
       sink_->drop();
+      if (worker::isReasonOfMachine(uids.message()))
+        refuse({"An image that came cannot be read: " + uids.message() + "."});
     } else if (const Status s = sink_->end(*uids); !s) {
       refuse(s.error());
     } else {

@@ -89,6 +89,9 @@ Result<std::string> Association::store(const dicom::InstanceUids& uids, const st
                                            DIMSE_BLOCKING, 0, &response, &detail);
   delete detail;
   if (done.bad()) return p_->failure(done);
+  const std::string answered =
+      response.opts & O_STORE_AFFECTEDSOPINSTANCEUID ? response.AffectedSOPInstanceUID : "";
+  if (!answered.empty() && answered != uids.instance) return p_->says("answers for another image").message;
   const std::string refusal = storageRefusal(response.DimseStatus);
   return refusal.empty() ? refusal : p_->says(refusal).message;
 }

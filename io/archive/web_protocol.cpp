@@ -16,6 +16,7 @@
 #include "io/archive/send_web.h"
 #include "io/archive/web_exchange.h"
 #include "io/archive/web_json.h"
+#include "io/worker/call.h"
 
 namespace volumen {
 
@@ -79,7 +80,9 @@ class InstanceParts : public PartSink {
     const auto uids = dicom::instanceUids(path_);
     if (uids) return sink_.end(*uids);
     sink_.drop();
-    return {};
+    return worker::isReasonOfMachine(uids.message())
+               ? Error{"An image that came cannot be read: " + uids.message() + "."}
+               : Status();
   }
 
  private:
@@ -180,9 +183,9 @@ class WebProtocol : public ArchiveProtocol {
     }
     for (const ListedInstance& one : wanted.instances) {
       if (sink.has(one.uid)) continue;
+      if (cancel_.cancelled()) return Error{"cancelled"};
       const Status s = getInstance(series + "/instances/" + percentEncoded(one.uid), parts);
       if (!s) problem = s;
-      if (cancel_.cancelled()) return Error{"cancelled"};
       if (failures_ == mostFailures) break;
     }
     return problem;
