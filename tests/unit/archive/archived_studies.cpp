@@ -7,8 +7,12 @@
 
 #include <QDirIterator>
 #include <QJsonObject>
+#include <QTemporaryDir>
+#include <algorithm>
 
 #include "io/dicom/decode.h"
+#include "tests/fixtures/program.h"
+#include "tests/unit/archive/pdus.h"
 #include "tests/unit/io/dicom_writer.h"
 
 namespace volumen::tests {
@@ -38,11 +42,28 @@ QStringList writeAllArchived(const QString& folder) {
   return files << writeArchived(folder, archivedStudies[0], 2);
 }
 
+QList<QByteArray> instancesOfOneSeries(int count) {
+  const QTemporaryDir folder;
+  const QByteArray first = contentsOf(writeArchived(folder.path(), archivedStudies[0], 1));
+  QList<QByteArray> files;
+  for (int n = 1; n <= count; ++n)
+    files << QByteArray(first).replace("1.2.1.1.1", "1.2.1.1." + QByteArray::number(n));
+  return files;
+}
+
 QStringList filesBelow(const QString& folder) {
   QStringList files;
   for (QDirIterator all(folder, QDir::Files | QDir::Hidden, QDirIterator::Subdirectories); all.hasNext();)
     files << all.next();
   return files;
+}
+
+QList<QByteArray> dataSetsBelow(const QString& folder) {
+  QList<QByteArray> all;
+  for (const QString& path : filesBelow(folder))
+    all << (path.endsWith(QLatin1String(".dcm")) ? dataSetIn(contentsOf(path)) : QByteArray("half-written"));
+  std::sort(all.begin(), all.end());
+  return all;
 }
 
 Instance instanceIn(const QString& path) {

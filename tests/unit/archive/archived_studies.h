@@ -1,6 +1,8 @@
 #pragma once
 
+#include <QByteArray>
 #include <QJsonArray>
+#include <QList>
 #include <QString>
 #include <QStringList>
 #include <string>
@@ -28,8 +30,15 @@ QString writeArchived(const QString& folder, const ArchivedStudy& study, int ser
 /// Writes all studies, and a second series of the first. Returns the paths.
 QStringList writeAllArchived(const QString& folder);
 
+/// Returns the bytes of files with images of one series (1.2.1.1), which are numbered from 1.2.1.1.1; at most
+/// nine.
+QList<QByteArray> instancesOfOneSeries(int count);
+
 /// Returns all files below a folder.
 QStringList filesBelow(const QString& folder);
+
+/// Returns the data sets of all files below a folder, sorted. Any that is no .dcm counts as "half-written".
+QList<QByteArray> dataSetsBelow(const QString& folder);
 
 /// What a transfer must not change.
 struct Instance {
