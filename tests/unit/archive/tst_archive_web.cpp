@@ -39,29 +39,11 @@ class TestArchiveWeb : public QObject {
 
 namespace {
 
-constexpr const char* jsonType = "application/dicom+json";
-
-QByteArray jsonAnswer(const QByteArray& body) { return httpAnswer("200 OK", jsonType, body); }
-
 QByteArray oneStudy(const QByteArray& more = {}) {
   return R"([{"0020000D": {"vr": "UI", "Value": ["1.2.1"]},
               "00100020": {"vr": "LO", "Value": ["PID1"]})" +
          more + "}]";
 }
-
-// The lists of a study with one series of three instances.
-QByteArray listing(const HttpRequest& request) {
-  if (!request.query.contains("offset=0")) return jsonAnswer("[]");
-  if (request.path.endsWith("/series"))
-    return jsonAnswer(R"([{"0020000E": {"vr": "UI", "Value": ["1.2.1.1"]}, "00080060": {"Value": ["CT"]}}])");
-  QByteArray all;
-  for (const char* uid : {"1.2.1.1.1", "1.2.1.1.2", "1.2.1.1.3"})
-    all +=
-        (all.isEmpty() ? "" : ",") + QByteArray(R"({"00080018": {"vr": "UI", "Value": [")") + uid + "\"]}}";
-  return jsonAnswer("[" + all + "]");
-}
-
-bool isListing(const HttpRequest& request) { return !request.query.isEmpty(); }
 
 QByteArray gzipped(QByteArray text) {
   QByteArray out(text.size() + 1000, '\0');
@@ -86,16 +68,7 @@ QList<QByteArray> bytesBelow(const QString& folder) {
 
 }  // namespace
 
-void TestArchiveWeb::initTestCase() {
-  for (int n = 1; n <= 3; ++n) {
-    const QString path = writeArchived(folder_.path(), archivedStudies[0], 1);
-    QByteArray bytes = contentsOf(path);
-    bytes.replace("1.2.1.1.1", "1.2.1.1." + QByteArray::number(n));  // the same length
-    files_ << bytes;
-    QFile::remove(path);
-  }
-  QVERIFY(files_[0] != files_[1]);
-}
+void TestArchiveWeb::initTestCase() { files_ = instancesOfOneSeries(3); }
 
 Outcome TestArchiveWeb::archive(const QByteArray& url, const QStringList& words,
                                 const QByteArray& more) const {

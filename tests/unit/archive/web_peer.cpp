@@ -1,5 +1,7 @@
 #include "tests/unit/archive/web_peer.h"
 
+#include <QFile>
+
 namespace volumen::tests {
 
 namespace {
@@ -33,13 +35,29 @@ QByteArray httpAnswer(const QByteArray& status, const QByteArray& type, const QB
          "Connection: close\r\n\r\n" + body;
 }
 
-HttpPeer::HttpPeer(std::function<QByteArray(const HttpRequest&)> answer)
-    : peer_([answer = std::move(answer)](QTcpSocket& socket) {
+QByteArray jsonAnswer(const QByteArray& body) { return httpAnswer("200 OK", jsonType, body); }
+
+QByteArray listing(const HttpRequest& request) {
+  if (!request.query.contains("offset=0")) return jsonAnswer("[]");
+  if (request.path.endsWith("/series"))
+    return jsonAnswer(R"([{"0020000E": {"vr": "UI", "Value": ["1.2.1.1"]}, "00080060": {"Value": ["CT"]}}])");
+  QByteArray all;
+  for (const char* uid : {"1.2.1.1.1", "1.2.1.1.2", "1.2.1.1.3"})
+    all +=
+        (all.isEmpty() ? "" : ",") + QByteArray(R"({"00080018": {"vr": "UI", "Value": [")") + uid + "\"]}}";
+  return jsonAnswer("[" + all + "]");
+}
+
+bool isListing(const HttpRequest& request) { return !request.query.isEmpty(); }
+
+HttpPeer::HttpPeer(std::function<QByteArray(const HttpRequest&)> answer, std::function<void()> beforeEnd)
+    : peer_([answer = std::move(answer), beforeEnd = std::move(beforeEnd)](QTcpSocket& socket) {
         const QByteArray bytes = answer(requestFrom(socket));
         for (qsizetype at = 0; at < bytes.size() && socket.state() == QTcpSocket::ConnectedState;) {
           at += socket.write(bytes.mid(at, 1 << 16));
           socket.waitForBytesWritten(5000);
         }
+        if (beforeEnd) beforeEnd();
         socket.disconnectFromHost();
         if (socket.state() != QTcpSocket::UnconnectedState) socket.waitForDisconnected(5000);
       }) {}
@@ -51,6 +69,13 @@ QByteArray partsOf(const QList<QByteArray>& files, const QByteArray& boundary) {
   body += "--" + boundary + "--\r\n";
   return httpAnswer("200 OK", "multipart/related; type=\"application/dicom\"; boundary=\"" + boundary + "\"",
                     body);
+}
+
+QString writeWebListWith(const QByteArray& url, const QString& folder) {
+  QFile list(folder + QStringLiteral("/web.json"));
+  if (list.open(QIODevice::WriteOnly))
+    list.write(R"({"archives": [{"name": "main", "kind": "dicomweb", "url": ")" + url + "\"}]}");
+  return list.fileName();
 }
 
 }  // namespace volumen::tests
