@@ -14,6 +14,7 @@
 #include <cstring>
 
 #include "io/archive/association_private.h"
+#include "io/archive/stored_syntaxes.h"
 
 namespace volumen {
 
@@ -196,6 +197,28 @@ T_ASC_PresentationContextID Association::Private::contextOf(const std::string& s
   return ASC_findAcceptedPresentationContextID(association, sopClass.c_str());
 }
 
+T_ASC_PresentationContextID Association::Private::contextOf(const std::string& sopClass,
+                                                            const std::string& syntax) const {
+  const auto found = contexts.find({sopClass, syntax});
+  return found == contexts.end() ? T_ASC_PresentationContextID(0) : found->second;
+}
+
+// DCMTK neither sends nor takes commands in contexts of transfer syntaxes that it does not know, although
+// commands have one of their own (PS3.7 6.3.1).
+void Association::Private::noteContexts() {
+  LST_HEAD* list = association->params->DULparams.requestedPresentationContext;
+  if (!list) return;
+  auto* one = static_cast<DUL_PRESENTATIONCONTEXT*>(LST_Head(&list));
+  LST_Position(&list, one);
+  for (; one; one = static_cast<DUL_PRESENTATIONCONTEXT*>(LST_Next(&list))) {
+    if (one->result != DUL_PRESENTATION_ACCEPT) continue;
+    const std::string syntax = one->acceptedTransferSyntax;
+    contexts.try_emplace({one->abstractSyntax, syntax}, one->presentationContextID);
+    if (std::ranges::find(storedSyntaxes, syntax) == storedSyntaxes.end())
+      std::strcpy(one->acceptedTransferSyntax, UID_LittleEndianExplicitTransferSyntax);
+  }
+}
+
 Association::Association(std::unique_ptr<Private> p) : p_(std::move(p)) {}
 Association::Association(Association&&) noexcept = default;
 Association::~Association() = default;
@@ -225,6 +248,7 @@ Result<Association> Association::open(const Archive& archive, const std::vector<
     return error;
   }
   p->associated = true;
+  p->noteContexts();
   p->watch.allow(mostBytesOfCommand, std::chrono::hours(24));
   p->watch.silence = std::chrono::seconds(silenceSeconds);
   return Association(std::move(p));

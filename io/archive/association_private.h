@@ -5,6 +5,9 @@
 #include <dcmtk/dcmnet/dimse.h>
 #include <dcmtk/dcmtls/tlslayer.h>
 
+#include <map>
+#include <utility>
+
 #include "io/archive/association.h"
 #include "io/archive/network_use.h"
 #include "io/archive/watched_transport.h"
@@ -26,6 +29,13 @@ struct Association::Private {
   /// Returns "The archive "X" PREDICATE.".
   Error says(const std::string& predicate) const;
   T_ASC_PresentationContextID contextOf(const std::string& sopClass) const;
+  /// Returns the context for a class in a transfer syntax; 0 if the archive takes none.
+  T_ASC_PresentationContextID contextOf(const std::string& sopClass, const std::string& syntax) const;
+  /// Sends a data set and returns what Association::store() does.
+  Result<std::string> store(const dicom::InstanceUids& uids, T_ASC_PresentationContextID context,
+                            DcmDataset& data);
+  /// Notes the contexts that the archive has accepted.
+  void noteContexts();
 
   const Archive archive;
   Watch watch;
@@ -34,6 +44,7 @@ struct Association::Private {
   std::unique_ptr<WatchedTransport> transport;
   T_ASC_Network* network = nullptr;
   T_ASC_Association* association = nullptr;
+  std::map<std::pair<std::string, std::string>, T_ASC_PresentationContextID> contexts;  // by class and syntax
   bool associated = false, broken = false;
   const NetworkUse use;
 };

@@ -1,13 +1,17 @@
 // Sending over one association (PS3.4 B, PS3.7 9.1.1).
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcfilefo.h>
+#include <dcmtk/dcmdata/dcdatset.h>
+#include <dcmtk/dcmdata/dcostrma.h>
 #include <dcmtk/dcmdata/dcuid.h>
 
+#include <algorithm>
 #include <cstring>
-#include <limits>
+#include <functional>
 
 #include "io/archive/association_private.h"
-#include "io/dicom/decode.h"
+#include "io/dicom/stored_data_set.h"
+#include "io/dicom/transfer_syntax.h"
+#include "io/regular_file.h"
 
 namespace volumen {
 
@@ -30,51 +34,88 @@ std::string storageRefusal(unsigned status) {
 // Returns the name of a UID, or the UID.
 std::string nameOf(const std::string& uid) {
   const char* const name = dcmFindNameOfUID(uid.c_str());
-  return name ? name : uid;
+  if (name) return name;
+  const dicom::TransferSyntax syntax = dicom::transferSyntax(uid);
+  return *syntax.name ? syntax.name : uid;
 }
 
-// Returns the context for a class in a transfer syntax, 0 if there is none. DCMTK's own search falls back on
-// contexts in others.
-T_ASC_PresentationContextID acceptedContext(T_ASC_Association* association, const std::string& sopClass,
-                                            const char* syntax) {
-  for (int n = 0; n < ASC_countPresentationContexts(association->params); ++n) {
-    T_ASC_PresentationContext context;
-    if (ASC_getPresentationContext(association->params, n, &context).good() &&
-        context.resultReason == ASC_P_ACCEPTANCE && sopClass == context.abstractSyntax &&
-        std::strcmp(syntax, context.acceptedTransferSyntax) == 0)
-      return context.presentationContextID;
+// Returns bytes from `at` on and their number, 0 if they cannot be had.
+using ReadBytes = std::function<std::size_t(std::uint64_t at, void* to, std::size_t count)>;
+
+// A data set that is sent byte by byte: what DCMTK has not parsed, it cannot change, nor be attacked by.
+class SentBytes : public DcmDataset {
+ public:
+  SentBytes(std::uint64_t size, ReadBytes read) : size_(size), read_(std::move(read)) {}
+
+  OFBool isEmpty(OFBool) override { return size_ == 0; }
+  OFBool canWriteXfer(E_TransferSyntax, E_TransferSyntax) override { return OFTrue; }
+  using DcmDataset::write;
+  OFCondition write(DcmOutputStream& out, E_TransferSyntax, E_EncodingType, DcmWriteCache*, E_GrpLenEncoding,
+                    E_PaddingEncoding, Uint32, Uint32, Uint32) override {
+    char some[1 << 14];
+    while (at_ < size_ && out.avail() > 0) {
+      const std::uint64_t room = std::min<std::uint64_t>(sizeof some, std::uint64_t(out.avail()));
+      const std::size_t count = read_(at_, some, std::size_t(std::min(room, size_ - at_)));
+      if (count == 0) return EC_InvalidStream;
+      out.write(some, offile_off_t(count));
+      at_ += count;
+    }
+    return at_ == size_ ? EC_Normal : EC_StreamNotifyClient;
   }
-  return 0;
-}
 
-const char* const plainSyntaxes[] = {UID_LittleEndianExplicitTransferSyntax,
-                                     UID_LittleEndianImplicitTransferSyntax,
-                                     UID_BigEndianExplicitTransferSyntax};
+ private:
+  const std::uint64_t size_;
+  const ReadBytes read_;
+  std::uint64_t at_ = 0;
+};
+
+std::uint64_t sizeOf(const dicom::StoredDataSet& stored) { return stored.end - stored.begin; }
+
+// Messages have an even length. DCMTK pads others, which only deflated data allow (PS3.5 A.5).
+bool canBeSent(const dicom::StoredDataSet& stored) {
+  return sizeOf(stored) % 2 == 0 || stored.syntax == UID_DeflatedExplicitVRLittleEndianTransferSyntax;
+}
 
 }  // namespace
 
 Result<std::string> Association::store(const dicom::InstanceUids& uids, const std::string& path) {
-  T_ASC_Association* const association = p_->association;
-  const auto contextIn = [&](const char* syntax) {
-    return acceptedContext(association, uids.sopClass, syntax);
-  };
-  DcmFileFormat file;
-  if (file.loadFile(path.c_str()).bad()) return std::string("it cannot be read");
-  DcmDataset* const data = file.getDataset();
-  if (!uids.transferSyntax.empty() && DcmXfer(uids.transferSyntax.c_str()).getXfer() == EXS_Unknown)
-    return std::string("volumen sends no ") + nameOf(uids.transferSyntax) + " by DIMSE, but by DICOMweb";
-  T_ASC_PresentationContextID context = contextIn(uids.transferSyntax.c_str());
-  for (const char* plain : plainSyntaxes)
-    if (context == 0) {
-      // Decompressed pixels are the same; the archive takes no others.
-      dicom::registerDecoders();
-      context = contextIn(plain);
-      const E_TransferSyntax syntax = DcmXfer(plain).getXfer();
-      if (context != 0 && (data->chooseRepresentation(syntax, nullptr).bad() || !data->canWriteXfer(syntax)))
-        context = 0;
+  const CancelToken& cancel = p_->watch.cancel;
+  const auto stored = dicom::storedDataSet(path, cancel);
+  if (cancel.cancelled()) return Error{"cancelled"};
+  if (!stored) return "it cannot be read: " + stored.message();
+  std::string problem;
+  for (const std::string& syntax : {stored->syntax, std::string(UID_LittleEndianExplicitTransferSyntax),
+                                    std::string(UID_LittleEndianImplicitTransferSyntax),
+                                    std::string(UID_BigEndianExplicitTransferSyntax)}) {
+    const T_ASC_PresentationContextID context = p_->contextOf(uids.sopClass, syntax);
+    if (context == 0) continue;
+    if (syntax == stored->syntax && canBeSent(*stored)) {
+      const Result<RegularFile> file = RegularFile::open(path);
+      if (!file) return "it cannot be read: " + file.message();
+      SentBytes bytes(sizeOf(*stored), [&](std::uint64_t at, void* to, std::size_t count) {
+        const auto some = file->readAt(stored->begin + at, to, count);
+        return some ? *some : 0;
+      });
+      return p_->store(uids, context, bytes);
     }
-  if (context == 0)
-    return p_->says("takes no " + nameOf(uids.transferSyntax) + " of class " + nameOf(uids.sopClass)).message;
+    const auto converted = dicom::inSyntax(path, *stored, syntax, cancel);
+    if (cancel.cancelled()) return Error{"cancelled"};
+    if (!converted) {
+      problem = ", and " + converted.message();
+      continue;
+    }
+    SentBytes bytes(converted->size(), [&](std::uint64_t at, void* to, std::size_t count) {
+      std::memcpy(to, converted->data() + at, count);
+      return count;
+    });
+    return p_->store(uids, context, bytes);
+  }
+  return p_->says("takes no " + nameOf(stored->syntax) + " of class " + nameOf(uids.sopClass) + problem)
+      .message;
+}
+
+Result<std::string> Association::Private::store(const dicom::InstanceUids& uids,
+                                                T_ASC_PresentationContextID context, DcmDataset& data) {
   T_DIMSE_C_StoreRQ request{};
   request.MessageID = association->nextMsgID++;
   std::strncpy(request.AffectedSOPClassUID, uids.sopClass.c_str(), sizeof request.AffectedSOPClassUID - 1);
@@ -82,18 +123,18 @@ Result<std::string> Association::store(const dicom::InstanceUids& uids, const st
                sizeof request.AffectedSOPInstanceUID - 1);
   request.DataSetType = DIMSE_DATASET_PRESENT;
   request.Priority = DIMSE_PRIORITY_MEDIUM;
-  p_->watch.allow(mostBytesOfCommand, std::chrono::hours(24));
+  watch.allow(mostBytesOfCommand, std::chrono::hours(24));
   T_DIMSE_C_StoreRSP response{};
   DcmDataset* detail = nullptr;
-  const OFCondition done = DIMSE_storeUser(association, context, &request, nullptr, data, nullptr, nullptr,
+  const OFCondition done = DIMSE_storeUser(association, context, &request, nullptr, &data, nullptr, nullptr,
                                            DIMSE_BLOCKING, 0, &response, &detail);
   delete detail;
-  if (done.bad()) return p_->failure(done);
+  if (done.bad()) return failure(done);
   const std::string answered =
       response.opts & O_STORE_AFFECTEDSOPINSTANCEUID ? response.AffectedSOPInstanceUID : "";
-  if (!answered.empty() && answered != uids.instance) return p_->says("answers for another image").message;
+  if (!answered.empty() && answered != uids.instance) return says("answers for another image").message;
   const std::string refusal = storageRefusal(response.DimseStatus);
-  return refusal.empty() ? refusal : p_->says(refusal).message;
+  return refusal.empty() ? refusal : says(refusal).message;
 }
 
 }  // namespace volumen

@@ -105,4 +105,13 @@ Result<std::vector<FrameRanges>> encapsulatedFrames(const RegularFile& file, con
   return splitAt(fragments, starts);
 }
 
+Result<std::uint64_t> endOfFragments(const RegularFile& file, const Element& pixels) {
+  constexpr std::uint64_t delimiter = 8;
+  const Result<std::vector<Range>> items = allItems(file, pixels);
+  if (!items) return items.error();
+  const std::uint64_t end = items->empty() ? pixels.offset : items->back().offset + items->back().length;
+  if (end + delimiter > file.size()) return Error{"the pixel data has no end"};
+  return end + delimiter;
+}
+
 }  // namespace volumen::dicom

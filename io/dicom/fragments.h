@@ -21,4 +21,7 @@ using FrameRanges = std::vector<Range>;  ///< the parts of one frame, in order
 Result<std::vector<FrameRanges>> encapsulatedFrames(const RegularFile& file, const Element& pixels,
                                                     int frames);
 
+/// Returns where encapsulated pixel data end: after their delimiter. The Error: they are cut off or damaged.
+Result<std::uint64_t> endOfFragments(const RegularFile& file, const Element& pixels);
+
 }  // namespace volumen::dicom

@@ -66,6 +66,7 @@ class Pass {
       if (scan_.needsUpTo || scan_.pixels) break;
     }
     if (!scan_.needsUpTo) endAll();
+    scan_.end = at_;
     return std::move(scan_);
   }
   /// Returns the elements before the one where run() failed.

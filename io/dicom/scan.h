@@ -44,6 +44,7 @@ struct DataSetScan {
   std::optional<Element> pixels;  ///< (7FE0,0008), (7FE0,0009) or (7FE0,0010), where the pass ends
   /// If not 0, the given bytes end too early and the pass needs at least this many.
   std::uint64_t needsUpTo = 0;
+  std::uint64_t end = 0;  ///< where the pass ended: after the last element, or before the pixel data
 };
 
 /// Returns whether "DICM" is at 128.
