@@ -120,6 +120,7 @@ class Fetch {
     wanted.isWhole = wanted.instances.size() == series.instances.size();
     if (wanted.instances.empty()) return {};
     const Status retrieved = protocol_.retrieve(wanted, files);
+    if (Status s = makeNamesLast(folder); !s) return s;
     if (cancel_.cancelled()) return Error{"cancelled"};
     for (const ListedInstance& one : wanted.instances)
       if (!files.has(one.uid)) report_.missing.push_back(one.uid);

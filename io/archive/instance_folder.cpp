@@ -30,9 +30,10 @@ Status InstanceFolder::end(const dicom::InstanceUids& uids) {
   if (!isOfSeries || has(uids.instance)) return drop(), Status();
   std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(written_->asidePath(), ignored);
-  const Status kept = written_->commitAs(pathOf(uids.instance));
+  const Result<bool> kept = written_->commitAsNew(pathOf(uids.instance));
   written_.reset();
-  if (!kept) return kept;
+  if (!kept) return kept.error();
+  if (!*kept) return {};  // another program has fetched it meanwhile
   bytes_ += ignored ? 0 : size;
   if (onStored_) onStored_();
   return {};

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <functional>
 
 #include "io/archive/fetch_archive.h"
 #include "io/dicom/scan.h"
@@ -70,18 +69,18 @@ Filed ReceivedFiles::file(OutputFile& instance) {
   return keep(instance, std::move(filed));
 }
 
+// Peers, and programs that fetch, may bring one instance at once.
 Filed ReceivedFiles::keep(OutputFile& instance, Filed filed) {
-  std::error_code ignored;
-  const std::scoped_lock one(places_[std::hash<std::string>()(filed.path) % places_.size()]);
-  if (std::filesystem::exists(filed.path, ignored)) {
-    filed.alreadyHere = haveSameDataSet(instance.asidePath(), filed.path);
-    if (!filed.alreadyHere)
-      return refusedWith(isDuplicate,
-                         "another image with the UID " + filed.uids.instance + " is here already");
-  } else if (Status s = instance.commitAs(filed.path); !s) {
+  const auto isNew = instance.commitAsNew(filed.path);
+  if (!isNew) return refusedWith(outOfResources, isNew.message());
+  filed.alreadyHere = !*isNew;
+  if (filed.alreadyHere && !haveSameDataSet(instance.asidePath(), filed.path))
+    return refusedWith(isDuplicate, "another image with the UID " + filed.uids.instance + " is here already");
+  const std::filesystem::path path = filed.path;
+  if (Status s = makeNamesLast(path.parent_path().string()); !s)
     return refusedWith(outOfResources, s.message());
-  }
-  filed.bytes = std::filesystem::file_size(filed.path, ignored);
+  std::error_code ignored;
+  filed.bytes = std::filesystem::file_size(path, ignored);
   return filed;
 }
 

@@ -1,9 +1,7 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <functional>
-#include <mutex>
 #include <string>
 
 #include "io/dicom/instance_uids.h"
@@ -41,11 +39,10 @@ class ReceivedFiles {
   Filed file(OutputFile& instance);
 
  private:
-  Filed keep(OutputFile& instance, Filed filed);
+  static Filed keep(OutputFile& instance, Filed filed);
 
   const std::string folder_;
   const std::function<bool(const std::string&)> wants_;  // see ReceiveEvents
-  std::array<std::mutex, 64> places_;  // each guards some of the paths: peers may send one instance at once
 };
 
 }  // namespace volumen

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <cstdio>
 #include <cstring>
 
 #include "io/files/aside.h"
@@ -74,6 +75,13 @@ std::string whyNotMade(int error) {
 
 // Some disks report only at this point that they are full; some cannot report it.
 bool isOnDisk(int fd) { return ::fdatasync(fd) == 0 || errno == EINVAL || errno == EROFS || errno == ENOSYS; }
+
+// Renames a file to a name that nothing has. Returns false and sets errno otherwise.
+bool renameAsNew(const char* from, const char* to) {
+  if (::renameat2(AT_FDCWD, from, AT_FDCWD, to, RENAME_NOREPLACE) == 0) return true;
+  // Not all file systems know the flag.
+  return (errno == EINVAL || errno == ENOSYS) && ::link(from, to) == 0 && ::unlink(from) == 0;
+}
 
 // Returns the permissions of the replaced file, or those of a new one.
 mode_t rightsFor(const std::string& target) {
@@ -143,18 +151,28 @@ Status OutputFile::write(const void* bytes, std::size_t count) {
   return {};
 }
 
-Status OutputFile::commit() {
+Status OutputFile::complete() {
   if (state_->gzip)
     if (Status s = deflateAll(Z_FINISH); !s) return s;
-  if (!isOnDisk(state_->fd)) return fail(std::strerror(errno));
+  return isOnDisk(state_->fd) ? Status() : fail(std::strerror(errno));
+}
+
+Status OutputFile::commit() {
+  if (Status s = complete(); !s) return s;
   if (::rename(state_->aside.c_str(), state_->target.c_str()) != 0) return fail(std::strerror(errno));
   state_->aside.clear();
   return {};
 }
 
-Status OutputFile::commitAs(const std::string& path) {
+Result<bool> OutputFile::commitAsNew(const std::string& path) {
   state_->path = state_->target = path;
-  return commit();
+  struct stat there {};
+  if (::lstat(path.c_str(), &there) == 0) return false;
+  if (Status s = complete(); !s) return s.error();
+  if (!renameAsNew(state_->aside.c_str(), path.c_str()))
+    return errno == EEXIST ? Result<bool>(false) : fail(std::strerror(errno)).error();
+  state_->aside.clear();
+  return true;
 }
 
 Status writeWholeFile(const std::string& path, std::string_view bytes) {

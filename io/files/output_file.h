@@ -27,14 +27,17 @@ class OutputFile {
   Status startGzip();
   /// Completes the file and renames it to its path.
   Status commit();
-  /// Completes the file and renames it to another path on the same disk, which is known only now.
-  Status commitAs(const std::string& path);
+  /// Completes the file and renames it to another path on the same disk, which is known only now, unless
+  /// something has that name: never replaces it, whoever made it meanwhile. Returns whether it was renamed;
+  /// if not, the temporary file stays as long as this object.
+  Result<bool> commitAsNew(const std::string& path);
 
  private:
   struct State;
   explicit OutputFile(std::unique_ptr<State> state);
   Status fail(const std::string& why) const;
   Status deflateAll(int flush);
+  Status complete();
   std::unique_ptr<State> state_;
 };
 
