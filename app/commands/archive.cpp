@@ -11,6 +11,7 @@
 #include "app/usage.h"
 #include "app/index_option.h"
 #include "io/archive/fetch_archive.h"
+#include "io/archive/fetched_studies.h"
 #include "io/archive/search_archive.h"
 #include "io/archive/send_archive.h"
 #include "io/paths/open_path.h"
@@ -118,7 +119,14 @@ int query(const ArchiveOptions& options, const CancelToken& cancel) {
   return exitDone;
 }
 
-void print(const FetchReport& report, const std::string& folder, bool json) {
+// Removes fetched studies that are too much.
+Result<std::vector<std::string>> trim(const ArchiveOptions& options, const Archive& archive) {
+  if (!options.folder.empty()) return std::vector<std::string>();
+  return trimFetched(indexFolderOr(options.index), mostBytesFetched(archive));
+}
+
+void print(const FetchReport& report, const std::vector<std::string>& removed, const std::string& folder,
+           bool json) {
   if (json) {
     std::cout << jsonText({{"folder", pathForJson(folder)},
                            {"images", report.expected},
@@ -126,7 +134,8 @@ void print(const FetchReport& report, const std::string& folder, bool json) {
                            {"alreadyHere", report.alreadyHere},
                            {"bytes", report.bytes},
                            {"missing", report.missing},
-                           {"problems", report.problems}});
+                           {"problems", report.problems},
+                           {"removedStudies", removed}});
     return;
   }
   std::cout << "Fetched " << report.fetched << " of " << report.expected << " images";
@@ -148,16 +157,22 @@ int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
   if (!archive) return fail(archive.message());
   FetchRequest request = requestFor(options.study);
   request.folder = options.folder;
-  if (request.folder.empty()) request.folder = fetchedFolder(indexFolderOr(options.index), request.studyUid);
+  request.isManaged = options.folder.empty();
+  if (request.isManaged) request.folder = fetchedFolder(indexFolderOr(options.index), request.studyUid);
   const auto report = fetchFromArchive(*archive, request, terminalProgress(), cancel);
   endTerminalProgress();
   const auto failFetch = [&](const std::string& sentence) {
     return fail(cancel.cancelled() ? "Interrupted; images that came whole are kept." : sentence);
   };
   if (!report) return failFetch(report.message());
-  if (options.folder.empty())
+  if (request.isManaged)
     if (Status s = addToIndex(options, request.folder, cancel); !s) return failFetch(s.message());
-  print(*report, request.folder, options.json);
+  const auto removed = trim(options, *archive);
+  if (!removed) return fail(removed.message());
+  print(*report, *removed, request.folder, options.json);
+  if (const std::size_t count = removed->size(); count > 0 && !options.json)
+    std::cout << "Removed " << count << (count == 1 ? " study that was" : " studies that were")
+              << " fetched earlier, to keep at most " << archive->keepGb << " GB\n";
   for (const std::string& problem : report->problems) std::cerr << "volumen: " << printable(problem) << '\n';
   return report->isAll() ? exitDone : exitLosses;
 }

@@ -114,6 +114,7 @@ static void fields(Fields& f, Listening& listen) {
 static void fields(Fields& f, Archives& all) {
   f("archives", all.archives);
   f.unlessNone("listen", all.listen);
+  if (f.reading() || all.keepGb != Archives().keepGb) f("keepGb", all.keepGb, {0, 1'000'000});
   for (std::size_t n = 0; n < all.archives.size(); ++n) {
     const auto same = [&](const Archive& a) { return a.name == all.archives[n].name; };
     if (std::count_if(all.archives.begin(), all.archives.end(), same) > 1)
@@ -143,8 +144,13 @@ Result<Archives> parseArchives(const std::string& json) {
   fields(f, archives);
   f.refuseOthers();
   if (!problem.empty()) return Error{problem};
-  for (Archive& archive : archives.archives) archive.listen = archives.listen;
+  for (Archive& archive : archives.archives)
+    archive.listen = archives.listen, archive.keepGb = archives.keepGb;
   return archives;
+}
+
+std::uint64_t mostBytesFetched(const Archive& archive) {
+  return std::uint64_t(archive.keepGb) * 1'000'000'000;
 }
 
 std::string archivesToJson(const Archives& archives) {

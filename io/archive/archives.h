@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,17 +46,23 @@ struct Archive {
   std::string url;  ///< of its services, without a slash at the end: "https://HOST/dicom-web"
   std::string user, passwordCommand;  ///< basic authentication; the command prints the password
   std::string tokenCommand;           ///< prints a bearer token
+  int keepGb = 20;                    ///< that of the list
   bool operator==(const Archive&) const = default;
 };
 
 struct Archives {
   std::vector<Archive> archives;
   std::optional<Listening> listen{};  ///< empty: volumen does not listen
+  int keepGb =
+      20;  ///< fetched studies beyond so many GB are removed, those unused longest first; 0: none are
   bool operator==(const Archives&) const = default;
 };
 
 /// Returns where an archive is: "host:port" or its URL.
 std::string addressOf(const Archive& archive);
+
+/// Returns how many bytes of fetched studies are kept (trimFetched()); 0: all.
+std::uint64_t mostBytesFetched(const Archive& archive);
 
 /// Returns why a text is no AE title of ours, as the end of a sentence; empty if it is one: 1 to 16 printable
 /// characters of ASCII without backslash, not blanks only (PS3.5 6.2).

@@ -10,6 +10,7 @@
 #include <set>
 
 #include "io/archive/data_sets.h"
+#include "io/archive/fetched_studies.h"
 #include "io/archive/instance_folder.h"
 #include "io/archive/protocol.h"
 #include "io/files/private_folder.h"
@@ -199,6 +200,8 @@ Result<FetchReport> fetchFromArchive(const Archive& archive, const FetchRequest&
   if (series->empty())
     return Error{"The archive \"" + archive.name + "\" lists no images of this " +
                  (request.seriesUid.empty() ? "study." : "series.")};
+  if (request.isManaged)
+    if (Status s = beginFetched(request.folder, request.studyUid); !s) return s.error();
   return Fetch(*protocol, archive, request, progress, cancel)(*series);
 }
 

@@ -13,8 +13,9 @@ namespace volumen {
 /// What is fetched from an archive: a study, or one of its series.
 struct FetchRequest {
   std::string studyUid;
-  std::string seriesUid;  ///< empty: all
-  std::string folder;     ///< files go to folders of their series in it, named by us
+  std::string seriesUid;   ///< empty: all
+  std::string folder;      ///< files go to folders of their series in it, named by us
+  bool isManaged = false;  ///< that is fetchedFolder(): trimFetched() may remove the study later
 };
 
 /// Returns the request for "STUDY" or "STUDY/SERIES", as a user names them by UIDs.

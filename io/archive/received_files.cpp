@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "io/archive/fetch_archive.h"
+#include "io/archive/fetched_studies.h"
 #include "io/dicom/scan.h"
 #include "io/files/private_folder.h"
 #include "io/regular_file.h"
@@ -61,11 +62,11 @@ Filed ReceivedFiles::file(OutputFile& instance) {
                        "an image cannot be read: " + uids.message());
   if (const std::string lack = lackOf(*uids); !lack.empty()) return refusedWith(lacksUids, lack);
   if (wants_ && !wants_(uids->instance)) return refusedWith(notAuthorized, "an image was not asked for");
-  const std::string folder = folder_ + "/" + nameForUid(uids->study) + "/" + nameForUid(uids->series);
-  if (Status s = makePrivateFolder(folder); !s) return refusedWith(outOfResources, s.message());
+  const std::string study = nameForUid(uids->study), series = nameForUid(uids->series);
+  if (Status s = beginReceived(folder_, study, series); !s) return refusedWith(outOfResources, s.message());
   Filed filed;
   filed.uids = *uids;
-  filed.path = folder + "/" + nameForUid(uids->instance) + ".dcm";
+  filed.path = folder_ + "/" + study + "/" + series + "/" + nameForUid(uids->instance) + ".dcm";
   return keep(instance, std::move(filed));
 }
 

@@ -1,6 +1,7 @@
 #include "io/paths/archive_path.h"
 
 #include "io/archive/fetch_archive.h"
+#include "io/archive/fetched_studies.h"
 #include "io/index/index.h"
 
 namespace volumen {
@@ -16,12 +17,14 @@ Result<std::vector<std::string>> fetchNamed(const std::string& name, FetchReques
   if (!archive) return archive.error();
   if (index.empty()) return Error{"There is no home folder to fetch into: set HOME or XDG_DATA_HOME."};
   request.folder = fetchedFolder(index, request.studyUid);
+  request.isManaged = true;
   const auto report = fetchFromArchive(*archive, request, progress, cancel);
   if (!report) return report.error();
   if (!report->isAll())
     return Error{"Only " + std::to_string(report->fetched + report->alreadyHere) + " of " +
                  std::to_string(report->expected) + " images could be fetched. " +
                  (report->problems.empty() ? "" : report->problems.front())};
+  if (const auto trimmed = trimFetched(index, mostBytesFetched(*archive)); !trimmed) return trimmed.error();
   return filesFetched(request);
 }
 
