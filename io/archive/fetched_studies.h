@@ -26,8 +26,8 @@ void useFetched(const std::vector<std::string>& files);
 Status beginReceived(const std::string& folder, const std::string& study, const std::string& series);
 
 /// Removes fetched studies from the disk and the index in `indexFolder`, those unused for the longest time
-/// first, until the others have at most `mostBytes` (0: no limit). Studies that a program uses stay. The
-/// Error: the index cannot be written.
+/// first, until the others have at most `mostBytes` (0: no limit). Studies that a program uses stay.
+/// Returns the UIDs of the removed ones. The Error: the index cannot be written.
 Result<std::vector<std::string>> trimFetched(const std::string& indexFolder, std::uint64_t mostBytes);
 
 }  // namespace volumen

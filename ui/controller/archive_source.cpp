@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/archive/fetch_archive.h"
+#include "io/archive/fetched_studies.h"
 #include "io/archive/search_archive.h"
 #include "ui/workspace/indexed_text.h"
 
@@ -251,7 +252,7 @@ Result<ArchiveSource::Fetched> ArchiveSource::fetch(const Archive& archive, cons
                                                     const std::string& seriesUid, const Job& job) {
   if (indexFolder_.empty())
     return Error{tr("There is no home folder for fetched studies: set HOME or XDG_DATA_HOME.").toStdString()};
-  const FetchRequest request{studyUid, seriesUid, fetchedFolder(indexFolder_, studyUid)};
+  const FetchRequest request{studyUid, seriesUid, fetchedFolder(indexFolder_, studyUid), true};
   const Progress progress = [&](const char*, std::size_t done, std::size_t total) {
     job.tell(tr("image %1 of %2").arg(numberText(done), numberText(total)), double(done) / double(total));
   };
@@ -264,6 +265,8 @@ Result<ArchiveSource::Fetched> ArchiveSource::fetch(const Archive& archive, cons
   job.tell(tr("adding to the list of studies"), -1);
   const Status added = addToIndex(indexFolder_, folderOf(request), job.cancel());
   if (!added && fetched.problem.isEmpty()) fetched.problem = QString::fromStdString(added.message());
+  const auto removed = trimFetched(indexFolder_, mostBytesFetched(archive));
+  if (!removed && fetched.problem.isEmpty()) fetched.problem = QString::fromStdString(removed.message());
   std::set<std::string> files;
   opened_[studyUid].insert(seriesUid);
   for (const std::string& series : opened_[studyUid])
