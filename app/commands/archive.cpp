@@ -44,9 +44,19 @@ Result<Archive> chosen(const ArchiveOptions& options) {
   return all ? archiveNamed(*all, options.name, options.path()) : all.error();
 }
 
+// A script that reads only the JSON must see a failure, too: with `nothing`, what it reads of an empty
+// result.
+int failed(const ArchiveOptions& options, Json nothing, const std::string& sentence) {
+  if (options.json) {
+    nothing["problem"] = sentence;
+    std::cout << jsonText(nothing);
+  }
+  return fail(sentence);
+}
+
 int list(const ArchiveOptions& options) {
   const auto all = archivesOf(options);
-  if (!all) return fail(all.message());
+  if (!all) return failed(options, {{"archives", Json::array()}}, all.message());
   if (options.json) {
     std::cout << archivesToJson(*all);
   } else if (all->archives.empty()) {
@@ -109,12 +119,13 @@ void print(const ArchiveAnswers& answers, const ArchiveOptions& options) {
 }
 
 int query(const ArchiveOptions& options, const CancelToken& cancel) {
+  const Json nothing{{"studies", Json::array()}};
   const auto archive = chosen(options);
-  if (!archive) return fail(archive.message());
+  if (!archive) return failed(options, nothing, archive.message());
   ArchiveQuery asked = options.query;
   for (const std::string& word : options.words) asked.words += word + " ";
   const auto answers = searchArchive(*archive, asked, {}, cancel);
-  if (!answers) return fail(answers.message(), cancel);
+  if (!answers) return failed(options, nothing, cancel.cancelled() ? "Interrupted." : answers.message());
   print(*answers, options);
   return exitDone;
 }
@@ -153,22 +164,25 @@ Status addToIndex(const ArchiveOptions& options, const std::string& folder, cons
 }
 
 int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
+  const auto failedBecause = [&](const std::string& sentence) {
+    return failed(options, {{"fetched", 0}},
+                  cancel.cancelled()
+                      ? "Interrupted; images that came whole are kept, and the next fetch goes on from there."
+                      : sentence);
+  };
   const auto archive = chosen(options);
-  if (!archive) return fail(archive.message());
+  if (!archive) return failedBecause(archive.message());
   FetchRequest request = requestFor(options.study);
   request.folder = options.folder;
   request.isManaged = options.folder.empty();
   if (request.isManaged) request.folder = fetchedFolder(indexFolderOr(options.index), request.studyUid);
   const auto report = fetchFromArchive(*archive, request, terminalProgress(), cancel);
   endTerminalProgress();
-  const auto failFetch = [&](const std::string& sentence) {
-    return fail(cancel.cancelled() ? "Interrupted; images that came whole are kept." : sentence);
-  };
-  if (!report) return failFetch(report.message());
+  if (!report) return failedBecause(report.message());
   if (request.isManaged)
-    if (Status s = addToIndex(options, request.folder, cancel); !s) return failFetch(s.message());
+    if (Status s = addToIndex(options, request.folder, cancel); !s) return failedBecause(s.message());
   const auto removed = trim(options, *archive);
-  if (!removed) return fail(removed.message());
+  if (!removed) return failedBecause(removed.message());
   print(*report, *removed, request.folder, options.json);
   if (const std::size_t count = removed->size(); count > 0 && !options.json)
     std::cout << "Removed " << count << (count == 1 ? " study that was" : " studies that were")
@@ -204,23 +218,26 @@ void tellReasons(const SendReport& report) {
 }
 
 int send(const ArchiveOptions& options, const CancelToken& cancel) {
+  const auto failedBecause = [&](const std::string& sentence) {
+    return failed(options, {{"sent", 0}}, cancel.cancelled() ? "Interrupted; what was sent stays in the archive." : sentence);
+  };
   const auto archive = chosen(options);
-  if (!archive) return fail(archive.message());
+  if (!archive) return failedBecause(archive.message());
   std::vector<std::string> files;
   for (const std::string& path : options.words) {
     const auto found = filesOfPath(path, terminalProgress(), cancel);
-    if (!found) return fail(found.message(), cancel);
+    if (!found) return failedBecause(found.message());
     files.insert(files.end(), found->begin(), found->end());
   }
   const auto report = sendToArchive(*archive, files, terminalProgress(), cancel);
   endTerminalProgress();
-  const std::string interrupted = "Interrupted; what was sent stays in the archive.";
-  if (!report) return fail(cancel.cancelled() ? interrupted : report.message());
+  if (!report) return failedBecause(report.message());
   if (report->instances == 0)
-    return fail("There is nothing to send: " +
-                (report->notDicom.empty() ? "no files were found." : report->notDicom.front().reason + "."));
+    return failedBecause("There is nothing to send: " + (report->notDicom.empty()
+                                                             ? "no files were found."
+                                                             : report->notDicom.front().reason + "."));
   print(*report, options);
-  if (cancel.cancelled()) return fail(interrupted);
+  if (cancel.cancelled()) return fail("Interrupted; what was sent stays in the archive.");
   tellReasons(*report);
   return report->failed.empty() ? exitDone : report->sent > 0 ? exitLosses : exitFailed;
 }

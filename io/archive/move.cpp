@@ -83,6 +83,23 @@ class MoveReception {
   std::future<Result<ReceiveReport>> running_;
 };
 
+// Returns whether what has our port receives DICOM. If it does not say so soon, nobody would take what comes.
+bool isReceiver(const Listening& listening) {
+  constexpr std::chrono::seconds patience{3};
+  Archive here;
+  here.host = listening.address == "0.0.0.0" ? "127.0.0.1" : listening.address;
+  here.port = listening.port;
+  here.calledAe = listening.ae;
+  here.callingAe = listening.peers.empty() ? listening.ae : listening.peers.front();
+  const CancelToken end;
+  auto asked = std::async(std::launch::async, [&] {
+    auto association = Association::open(here, {plainService(UID_VerificationSOPClass)}, end);
+    return association && association->echo();
+  });
+  if (asked.wait_for(patience) != std::future_status::ready) end.cancel();
+  return asked.get();
+}
+
 Status ask(Association& association, const WantedInstances& wanted, const std::string& destination) {
   std::vector<std::string> uids;
   if (!wanted.isWhole)
@@ -102,6 +119,7 @@ Status moveFromArchive(const Archive& archive, const WantedInstances& wanted, In
   MoveReception reception(listening, wanted, sink);
   // Where volumen receives already, what comes is filed in the same place.
   const Status listens = reception.start();
+  if (!listens && !isReceiver(listening)) return listens;
   const Status moved = ask(*association, wanted, listening.ae);
   reception.stop();
   const bool isAll =

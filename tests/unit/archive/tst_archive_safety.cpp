@@ -1,10 +1,15 @@
 // Guards what is sent by DIMSE: the bytes of a data set as they lie in its file, in any transfer syntax, and
-// nothing else; files that are damaged or made to do harm are refused in a sentence.
+// nothing else; files that are damaged or made to do harm are refused in a sentence. What failed or was
+// interrupted is told.
+#include <signal.h>
+
+#include <QElapsedTimer>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
 #include <QStandardPaths>
+#include <QTcpServer>
 #include <QtEndian>
 
 #include "tests/fixtures/program.h"
@@ -24,11 +29,21 @@ class TestArchiveSafety : public QObject {
   void whatAPeerDoesNotTakeIsConverted();
   void whatCannotBeReadIsRefused_data();
   void whatCannotBeReadIsRefused();
+  void failuresAreInTheJson_data();
+  void failuresAreInTheJson();
+  void anInterruptedFetchSaysWhatIsKept();
+  void aPortThatAMuteProgramHoldsIsFoundOut();
+  void whatAReceiverFilesIsFetched();
 
  private:
   QString convertedBy(const char* tool, const QStringList& options);
   QString fileOf(const QByteArray& bytes);
+  QString listOf(int port, const QByteArray& more = {});
   Outcome send(const TakingPeer& peer, const QString& path);
+  QString moveListOf(const QrPeer& peer) {
+    return listOf(peer.port(), R"(, "listen": {"port": )" + QByteArray::number(peer.ourPort()) + '}');
+  }
+  Outcome fetch(const QrPeer& peer, const QString& index);
 
   QTemporaryDir folder_;
   QString plain_;  // Explicit VR Little Endian
@@ -93,12 +108,22 @@ QString TestArchiveSafety::fileOf(const QByteArray& bytes) {
   return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size() ? path : QString();
 }
 
+// A list of archives with one, "to".
+QString TestArchiveSafety::listOf(int port, const QByteArray& more) {
+  return fileOf(R"({"archives": [{"name": "to", "kind": "dimse", "host": "127.0.0.1", "port": )" +
+                QByteArray::number(port) + R"(, "calledAe": "ARCH"}])" + more + '}');
+}
+
 Outcome TestArchiveSafety::send(const TakingPeer& peer, const QString& path) {
-  const QString list =
-      fileOf(R"({"archives": [{"name": "to", "kind": "dimse", "host": "127.0.0.1", "port": )" +
-             QByteArray::number(peer.port()) + R"(, "calledAe": "ANY"}]})");
   return runProgram({QStringLiteral("archive"), QStringLiteral("send"), QStringLiteral("to"), path,
-                     QStringLiteral("--archives"), list, QStringLiteral("--json")});
+                     QStringLiteral("--archives"), listOf(peer.port()), QStringLiteral("--json")});
+}
+
+// Fetches the study of plain_ into an index, by C-MOVE.
+Outcome TestArchiveSafety::fetch(const QrPeer& peer, const QString& index) {
+  return runProgram({QStringLiteral("archive"), QStringLiteral("fetch"), QStringLiteral("to"),
+                     QLatin1String(archivedStudies[0].uid), QStringLiteral("--archives"), moveListOf(peer),
+                     QStringLiteral("--index"), folder_.filePath(index)});
 }
 
 void TestArchiveSafety::bytesAreSentAsTheyLieInTheFile_data() {
@@ -183,6 +208,84 @@ void TestArchiveSafety::whatCannotBeReadIsRefused() {
   const QString why = told[u"failed"][0][u"reason"].toString();
   QVERIFY2(why.contains(reason), qPrintable(why));
   QVERIFY(peer.dataSets().isEmpty());
+}
+
+void TestArchiveSafety::failuresAreInTheJson_data() {
+  QTest::addColumn<QStringList>("words");
+  QTest::addColumn<QString>("empty");  // what a script reads of an empty result
+  const QString none = QStringLiteral("none");
+  QTest::newRow("query") << QStringList{QStringLiteral("query"), none} << QStringLiteral("studies");
+  QTest::newRow("fetch") << QStringList{QStringLiteral("fetch"), none, QStringLiteral("1.2")}
+                         << QStringLiteral("fetched");
+  QTest::newRow("send") << QStringList{QStringLiteral("send"), none, folder_.path()}
+                        << QStringLiteral("sent");
+}
+
+void TestArchiveSafety::failuresAreInTheJson() {
+  QFETCH(QStringList, words);
+  QFETCH(QString, empty);
+  const Outcome outcome = runProgram(
+      QStringList{QStringLiteral("archive")} + words +
+      QStringList{QStringLiteral("--archives"), fileOf(R"({"archives": []})"), QStringLiteral("--json")});
+  QCOMPARE(outcome.status, 1);
+  const QJsonObject told = QJsonDocument::fromJson(outcome.out).object();
+  QVERIFY(told.contains(empty));
+  QVERIFY(told[u"problem"].toString().startsWith(u"No archive is set up"));
+  QCOMPARE(outcome.err, "volumen: " + told[u"problem"].toString().toUtf8() + '\n');
+}
+
+void TestArchiveSafety::anInterruptedFetchSaysWhatIsKept() {
+  std::atomic<bool> isConnected{false};
+  const FakePeer mute([&](QTcpSocket& socket) {
+    isConnected = true;
+    socket.waitForDisconnected(20000);
+  });
+  QProcess process;
+  process.start(QStringLiteral(VOLUMEN_PROGRAM),
+                {QStringLiteral("archive"), QStringLiteral("fetch"), QStringLiteral("to"),
+                 QStringLiteral("1.2"), QStringLiteral("--archives"), listOf(mute.port()),
+                 QStringLiteral("-o"), folder_.filePath(QStringLiteral("interrupted"))});
+  QTRY_VERIFY_WITH_TIMEOUT(isConnected, 20000);
+  ::kill(pid_t(process.processId()), SIGINT);
+  QVERIFY(process.waitForFinished(20000));
+  QCOMPARE(
+      process.readAllStandardError(),
+      QByteArray("volumen: Interrupted; images that came whole are kept, and the next fetch goes on from "
+                 "there.\n"));
+}
+
+// The archive would wait for 30 s for each series.
+void TestArchiveSafety::aPortThatAMuteProgramHoldsIsFoundOut() {
+  if (!QrPeer::isInstalled()) QSKIP("dcmqrscp is not installed (package dcmtk)");
+  QrPeer peer;
+  peer.add({plain_});
+  QVERIFY(peer.start({QStringLiteral("--disable-get")}));
+  QTcpServer mute;
+  QVERIFY(mute.listen(QHostAddress::LocalHost, quint16(peer.ourPort())));
+  QElapsedTimer since;
+  since.start();
+  const Outcome outcome = fetch(peer, QStringLiteral("mute"));
+  QCOMPARE(outcome.status, 1);
+  QVERIFY2(outcome.err.contains("is in use"), outcome.err);
+  QVERIFY(since.elapsed() < 25000);
+}
+
+// A program that receives already files what the archive sends to its port.
+void TestArchiveSafety::whatAReceiverFilesIsFetched() {
+  if (!QrPeer::isInstalled()) QSKIP("dcmqrscp is not installed (package dcmtk)");
+  QrPeer peer;
+  peer.add({plain_});
+  QVERIFY(peer.start({QStringLiteral("--disable-get")}));
+  QProcess receiver;
+  receiver.start(QStringLiteral(VOLUMEN_PROGRAM),
+                 {QStringLiteral("archive"), QStringLiteral("receive"), QStringLiteral("--archives"),
+                  moveListOf(peer), QStringLiteral("--index"), folder_.filePath(QStringLiteral("both"))});
+  QVERIFY(receiver.waitForStarted() && listensAt(peer.ourPort()));
+  const Outcome outcome = fetch(peer, QStringLiteral("both"));
+  QVERIFY2(outcome.status == 0, outcome.err);
+  QVERIFY2(outcome.out.startsWith("Fetched 1 of 1 images"), outcome.out);
+  receiver.terminate();
+  QVERIFY(receiver.waitForFinished(20000));
 }
 
 VOLUMEN_TEST(TestArchiveSafety);
