@@ -74,13 +74,12 @@ IndexedSeries seriesOf(const Answer& a) {
 // One search.
 class Search {
  public:
-  Search(ArchiveProtocol& protocol, const Archive& archive, const ArchiveQuery& query,
-         const std::function<void(std::size_t)>& onStudies)
+  Search(ArchiveProtocol& protocol, const Archive& archive, const ArchiveQuery& query, const OnStudy& onStudy)
       : protocol_(protocol),
         archive_(archive),
         query_(query),
         words_(searchWords(query.words, today())),
-        onStudies_(onStudies) {}
+        onStudy_(onStudy) {}
 
   Result<ArchiveAnswers> operator()() {
     for (const StudyKeys& keys : questionsFor(words_)) {
@@ -155,7 +154,7 @@ class Search {
     if (int(found_.size()) >= query_.limit) return void(full_ = true);
     known_.insert(study.studyUid);
     found_.push_back({study, {}});
-    if (onStudies_) onStudies_(found_.size());
+    if (onStudy_ && judged.modalities == study.modalities) onStudy_(study);
   }
 
   Status complete(ArchiveStudy& study) {
@@ -182,7 +181,7 @@ class Search {
   const Archive& archive_;
   const ArchiveQuery& query_;
   const std::vector<SearchWord> words_;
-  const std::function<void(std::size_t)>& onStudies_;
+  const OnStudy& onStudy_;
   std::vector<ArchiveStudy> found_;
   std::set<std::string> known_;
   std::int64_t answers_ = 0;
@@ -197,10 +196,9 @@ Status testArchive(const Archive& archive, const CancelToken& cancel) {
 }
 
 Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery& query,
-                                     const std::function<void(std::size_t)>& onStudies,
-                                     const CancelToken& cancel) {
+                                     const OnStudy& onStudy, const CancelToken& cancel) {
   const auto protocol = protocolOf(archive, cancel);
-  return Search(*protocol, archive, query, onStudies)();
+  return Search(*protocol, archive, query, onStudy)();
 }
 
 Result<std::vector<IndexedSeries>> seriesOfArchiveStudy(const Archive& archive, const std::string& studyUid,

@@ -32,11 +32,13 @@ struct ArchiveAnswers {
 /// Verifies that an archive answers. The Error says in one sentence what is wrong.
 Status testArchive(const Archive& archive, const CancelToken& cancel);
 
-/// Searches an archive. `onStudies` gets the number found so far. Answers that lack one of the words are left
-/// out, as archives may ignore a key.
+using OnStudy = std::function<void(const IndexedStudy& study)>;
+
+/// Searches an archive. `onStudy` gets each study as it comes, without its number; not those of which the
+/// archive does not tell the modality that is searched for. Answers that lack one of the words are left out,
+/// as archives may ignore a key.
 Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery& query,
-                                     const std::function<void(std::size_t)>& onStudies,
-                                     const CancelToken& cancel);
+                                     const OnStudy& onStudy, const CancelToken& cancel);
 
 /// Returns the series of one study of an archive, as far as it lists them.
 Result<std::vector<IndexedSeries>> seriesOfArchiveStudy(const Archive& archive, const std::string& studyUid,

@@ -12,6 +12,8 @@ namespace volumen {
 
 namespace {
 
+constexpr int lookEveryMs = 100, longestMs = 1000;
+
 // Returns the number of images in the index by UID of their study; nothing if there is no index.
 std::map<std::string, int> imagesHere(const std::string& indexFolder) {
   std::map<std::string, int> here;
@@ -24,6 +26,14 @@ std::map<std::string, int> imagesHere(const std::string& indexFolder) {
   return here;
 }
 
+QString numberText(std::size_t number) { return QLocale().toString(qulonglong(number)); }
+
+// Tells how far the search of an archive is.
+QString soFarText(const QString& archive, std::size_t studies) {
+  if (studies == 1) return ArchiveSource::tr("Searching %1: 1 study so far.").arg(archive);
+  return ArchiveSource::tr("Searching %1: %2 studies so far.").arg(archive, numberText(studies));
+}
+
 // The Error: the files are not in the index.
 Status addToIndex(const std::string& indexFolder, const std::string& folder, const CancelToken& cancel) {
   Result<Index> index = Index::open(indexFolder);
@@ -31,8 +41,6 @@ Status addToIndex(const std::string& indexFolder, const std::string& folder, con
   const Result<ImportReport> imported = index->import({folder}, {}, cancel);
   return imported ? Status() : imported.error();
 }
-
-QString numberText(std::size_t number) { return QLocale().toString(qulonglong(number)); }
 
 // Returns how many images are missing, and why; empty for none.
 QString missingText(const FetchReport& report) {
@@ -92,7 +100,7 @@ std::string UidNumbers::uidOf(std::int64_t number) const {
 
 struct ArchiveSource::Found {
   ArchiveAnswers answers;
-  std::map<std::string, int> here;
+  ImagesHere here;
 };
 
 struct ArchiveSource::Fetched {
@@ -106,54 +114,103 @@ ArchiveSource::ArchiveSource(Archive archive, std::string indexFolder, Jobs& job
       indexFolder_(std::move(indexFolder)),
       searches_(&jobs),
       questions_(&jobs),
-      fetches_(&jobs) {}
+      fetches_(&jobs) {
+  look_.setInterval(lookEveryMs);
+  connect(&look_, &QTimer::timeout, this, &ArchiveSource::takeIncoming);
+}
 
 void ArchiveSource::setArchive(Archive archive) {
   if (archive == archive_) return;
   archive_ = std::move(archive);
-  searches_.giveUpAll();
+  giveUpSearch();
+  lists_.giveUpAll();
   answer_.reset();
   seriesOf_.clear();
   Q_EMIT changed();
 }
 
-// Another order of the last answer needs no new search.
+// Another order of what is known needs no new search.
 void ArchiveSource::list(const StudyListRequest& request) {
-  const bool isSameSearch = searches_.isBusy() && wanted_.words == request.words;
-  const bool isAnswered = answer_ && answer_->words == request.words && wanted_.sort != request.sort;
-  wanted_ = request;
-  if (isSameSearch) return;
+  const StudyListRequest before = std::exchange(wanted_, request);
+  const bool isKnown = answer_ && answer_->words == request.words;
+  const bool isSearched = searches_.isBusy() && before.words == request.words;
+  if (!isSearched) giveUpSearch();
+  if (isKnown && (isSearched || before.sort != request.sort)) return tellAnswer();
+  if (isSearched) return;
+  if (!isKnown || !answer_->isWhole) answer_.reset();  // a whole list stays until there is a new one
+  search(request.words);
+}
+
+void ArchiveSource::giveUpSearch() {
   searches_.giveUpAll();
-  if (isAnswered) return tellAnswer();
-  const std::string words = request.words;
+  look_.stop();
+}
+
+void ArchiveSource::search(const std::string& words) {
+  seriesOf_.clear();
+  incoming_ = std::make_shared<Incoming>();
+  look_.start();
+  sinceTaken_.start();
   searches_.run(
       JobName(tr("Searching %1").arg(name())),
-      [this, archive = archive_, words](const Job& job) { return find(archive, words, job); },
+      [this, archive = archive_, words, incoming = incoming_](const Job& job) {
+        return find(archive, words, *incoming, job);
+      },
       [this, words](Result<Found> found) {
         if (found) return takeAnswer(words, std::move(*found));
-        answer_.reset();
-        Q_EMIT unavailable(QString::fromStdString(found.message()));
+        endSearch(QString::fromStdString(found.message()));
       },
       [this] {
-        answer_.reset();
-        Q_EMIT unavailable(tr("The search was cancelled. Press Return in the search line to search again."));
+        endSearch(tr("The search was cancelled. Press Return in the search line to search again."));
       });
 }
 
 // Runs on the thread of `searches_`.
 Result<ArchiveSource::Found> ArchiveSource::find(const Archive& archive, const std::string& words,
-                                                 const Job& job) const {
+                                                 Incoming& incoming, const Job& job) const {
   ArchiveQuery query;
   query.words = words.empty() ? "today" : words;
-  const auto onStudies = [&](std::size_t count) {
-    job.tell(tr("Searching %1: %2 studies").arg(QString::fromStdString(archive.name), numberText(count)), -1);
+  ImagesHere here;
+  const auto knowsHere = [&] {
+    if (!here) here = std::make_shared<const std::map<std::string, int>>(imagesHere(indexFolder_));
+    return here;
   };
-  Result<ArchiveAnswers> answers = searchArchive(archive, query, onStudies, job.cancel());
+  std::size_t count = 0;
+  const auto onStudy = [&](const IndexedStudy& study) {
+    job.tell(soFarText(QString::fromStdString(archive.name), ++count), -1);
+    knowsHere();
+    const std::lock_guard lock(incoming.mutex);
+    incoming.studies.push_back(study);
+    incoming.here = here;
+  };
+  Result<ArchiveAnswers> answers = searchArchive(archive, query, onStudy, job.cancel());
   if (!answers) return answers.error();
-  return Found{std::move(*answers), imagesHere(indexFolder_)};
+  return Found{std::move(*answers), knowsHere()};
+}
+
+// Lists what came meanwhile, if it is much or nothing was listed for a while: each list is sorted anew.
+void ArchiveSource::takeIncoming() {
+  if (answer_ && answer_->isWhole) return;
+  const std::size_t listed = answer_ ? answer_->count : 0;
+  std::vector<IndexedStudy> studies;
+  ImagesHere here;
+  {
+    const std::lock_guard lock(incoming_->mutex);
+    const bool isMuch = incoming_->studies.size() >= listed / 4;
+    if (isMuch || !look_.isActive() || sinceTaken_.hasExpired(longestMs)) studies.swap(incoming_->studies);
+    here = incoming_->here;
+  }
+  if (studies.empty()) return;
+  if (!answer_) answer_ = Answer{wanted_.words, {}, 0, here, {}};
+  answer_->count += studies.size();
+  answer_->studies.push_back(std::make_shared<const std::vector<IndexedStudy>>(numbered(std::move(studies))));
+  answer_->notice = soFarText(name(), answer_->count);
+  sinceTaken_.start();
+  tellAnswer();
 }
 
 void ArchiveSource::takeAnswer(const std::string& words, Found found) {
+  look_.stop();
   QStringList notices;
   if (words.empty())
     notices << (found.answers.studies.empty() ? tr("There are no studies of today.")
@@ -161,19 +218,53 @@ void ArchiveSource::takeAnswer(const std::string& words, Found found) {
             << tr("Type words to search the archive.");
   notices << QString::fromStdString(found.answers.incomplete);
   notices.removeAll(QString());
-  answer_ = Answer{words, numbered(studiesIn(std::move(found.answers))), {}, notices.join(QLatin1Char(' '))};
-  for (const IndexedStudy& study : answer_->studies)
-    if (const auto here = found.here.find(study.studyUid); here != found.here.end())
-      answer_->here[study.id] = here->second;
-  seriesOf_.clear();
+  const auto studies =
+      std::make_shared<const std::vector<IndexedStudy>>(numbered(studiesIn(std::move(found.answers))));
+  answer_ = Answer{words, {studies}, studies->size(), found.here, notices.join(QLatin1Char(' ')), true};
   tellAnswer();
 }
 
+// What was found before a failure stays.
+void ArchiveSource::endSearch(const QString& sentence) {
+  look_.stop();
+  takeIncoming();
+  if (answer_ && !answer_->isWhole) {
+    answer_->notice = tr("These are not all studies. %1").arg(sentence);
+    return tellAnswer();
+  }
+  answer_.reset();
+  lists_.giveUpAll();
+  Q_EMIT unavailable(sentence);
+}
+
+StudyList ArchiveSource::listOf(const Answer& answer, const StudySort& sort) {
+  std::vector<IndexedStudy> studies;
+  for (const StudiesPtr& some : answer.studies) studies.insert(studies.end(), some->begin(), some->end());
+  std::map<std::int64_t, int> here;
+  for (const IndexedStudy& study : studies)
+    if (const auto images = answer.here->find(study.studyUid); images != answer.here->end())
+      here[study.id] = images->second;
+  StudyList list = listedStudies(std::move(studies), sort, 0);
+  list.here = std::move(here);
+  list.notice = answer.notice;
+  return list;
+}
+
+// Thousands of studies take a while to sort.
 void ArchiveSource::tellAnswer() {
-  StudyList list = listedStudies(answer_->studies, wanted_.sort, 0);
-  list.here = answer_->here;
-  list.notice = answer_->notice;
-  Q_EMIT listed(wanted_, std::make_shared<const StudyList>(std::move(list)));
+  isListOld_ = lists_.isBusy();
+  if (isListOld_) return;
+  lists_.run(
+      {},
+      [answer = *answer_, sort = wanted_.sort, isGrowing = searches_.isBusy()](const Job&) {
+        StudyList list = listOf(answer, sort);
+        list.isGrowing = isGrowing;
+        return std::make_shared<const StudyList>(std::move(list));
+      },
+      [this, request = StudyListRequest{answer_->words, wanted_.sort}](const StudyListPtr& list) {
+        Q_EMIT listed(request, list);
+        if (isListOld_ && answer_) tellAnswer();
+      });
 }
 
 std::vector<IndexedStudy> ArchiveSource::numbered(std::vector<IndexedStudy> studies) {

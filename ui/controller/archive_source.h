@@ -1,6 +1,9 @@
 #pragma once
 
+#include <QElapsedTimer>
+#include <QTimer>
 #include <map>
+#include <mutex>
 #include <optional>
 #include <set>
 
@@ -22,9 +25,10 @@ class UidNumbers {
   std::vector<std::string> uids_;
 };
 
-/// An archive of the user's list. Without words it lists the studies of today. Opened studies are fetched
-/// into the folder of the index and imported. Searches and fetches are jobs in the list; a search cancelled
-/// there ends in unavailable().
+/// An archive of the user's list. Without words it lists the studies of today, else what it answers, while
+/// answers come. Opened studies are fetched into the folder of the index and imported. Searches and fetches
+/// are jobs in the list. A search that is cancelled there or fails ends in unavailable() if it found nothing,
+/// else in what it found.
 class ArchiveSource : public StudySource {
   Q_OBJECT
  public:
@@ -49,22 +53,39 @@ class ArchiveSource : public StudySource {
   void imported();
 
  private:
-  // The answer to the last search.
+  // Images on this computer, by UID of their study.
+  using ImagesHere = std::shared_ptr<const std::map<std::string, int>>;
+  using StudiesPtr = std::shared_ptr<const std::vector<IndexedStudy>>;
+  // Studies that came while an archive is searched, and were not listed yet.
+  struct Incoming {
+    std::mutex mutex;
+    std::vector<IndexedStudy> studies;
+    ImagesHere here;
+  };
+  // What is known of the answer to the last search.
   struct Answer {
     std::string words;
-    std::vector<IndexedStudy> studies;
-    std::map<std::int64_t, int> here;  // images on this computer, by study
+    std::vector<StudiesPtr> studies;  // as they were taken, many at once
+    std::size_t count = 0;
+    ImagesHere here;
     QString notice;
+    bool isWhole = false;
   };
   struct Found;
   struct Fetched;
 
-  Result<Found> find(const Archive& archive, const std::string& words, const Job& job) const;
+  static StudyList listOf(const Answer& answer, const StudySort& sort);
+  Result<Found> find(const Archive& archive, const std::string& words, Incoming& incoming,
+                     const Job& job) const;
   Result<Fetched> fetch(const Archive& archive, const std::string& studyUid, const std::string& seriesUid,
                         const Job& job);
   std::vector<IndexedStudy> numbered(std::vector<IndexedStudy> studies);
+  void search(const std::string& words);
+  void giveUpSearch();
+  void takeIncoming();
   void takeAnswer(const std::string& words, Found found);
   void tellAnswer();
+  void endSearch(const QString& sentence);
   void takeSeries(std::int64_t study, std::vector<IndexedSeries> found);
 
   Archive archive_;  // jobs use copies
@@ -75,7 +96,11 @@ class ArchiveSource : public StudySource {
   std::map<std::string, std::set<std::string>> opened_;  // series by study; used by the thread of `fetches_`
   StudyListRequest wanted_;
   std::optional<Answer> answer_;  // empty after a failure
-  JobLane searches_, questions_, fetches_;
+  bool isListOld_ = false;        // the list in work lacks what came since
+  std::shared_ptr<Incoming> incoming_;
+  QTimer look_;
+  QElapsedTimer sinceTaken_;
+  JobLane searches_, lists_, questions_, fetches_;
 };
 
 }  // namespace volumen

@@ -42,8 +42,8 @@ class StudySource : public QObject {
   /// Returns the path under which a study of this source is listed among open studies.
   QString placeOf(std::int64_t study) const { return QStringLiteral("%1:%2").arg(key()).arg(study); }
 
-  /// Lists studies. Ends in listed(), or in unavailable() if the source cannot be queried. Of several pending
-  /// requests only the latest needs an answer.
+  /// Lists studies. Ends in listed(), or in unavailable() if the source cannot be queried. Before, listed()
+  /// may tell what is known so far. Of several pending requests only the latest needs an answer.
   virtual void list(const StudyListRequest& request) = 0;
   /// Lists the series of a study; ends in seriesListed().
   virtual void series(std::int64_t study) = 0;
@@ -70,7 +70,7 @@ class StudySource : public QObject {
   virtual void undoRemove(const std::vector<std::int64_t>&) {}
 
  Q_SIGNALS:
-  /// The answer to this request.
+  /// The answer to this request, or a part of it.
   void listed(const volumen::StudyListRequest& request, const volumen::StudyListPtr& list);
   void seriesListed(qint64 study, const volumen::SeriesListPtr& series);
   /// `studies` is empty if the source could not be queried.

@@ -43,7 +43,8 @@ struct StudyList {
   std::vector<ListedPatient> patients;
   /// Studies of an archive that are on this computer, too, with the number of their images here.
   std::map<std::int64_t, int> here{};
-  QString notice{};  ///< a sentence on the list, such as that there may be more studies; may be empty
+  QString notice{};        ///< a sentence on the list, such as that there may be more studies; may be empty
+  bool isGrowing = false;  ///< more studies may follow
   bool operator==(const StudyList&) const = default;
 };
 

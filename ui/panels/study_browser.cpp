@@ -166,6 +166,8 @@ StudyBrowser::TreeState StudyBrowser::treeState(bool isSameSearch) const {
     state.selected.insert(model_->keyOf(index));
   if (!isSameSearch) return state;
   state.scrolled = tree_->verticalScrollBar()->value();
+  state.anchor = model_->keyOf(anchor());
+  state.anchorY = tree_->visualRect(anchor()).y();
   const bool isShort = model_->list().patients.size() <= shortList;
   for (int top = 0; top < model_->rowCount(); ++top) {
     const QModelIndex index = model_->index(top, 0);
@@ -190,7 +192,10 @@ void StudyBrowser::restore(const TreeState& state) {
   for (const StudyRowKey& key : state.expanded) tree_->setExpanded(model_->indexOf(key), true);
   QItemSelectionModel* selection = tree_->selectionModel();
   QModelIndex current = model_->indexOf(state.current);
-  if (!current.isValid()) current = model_->firstPatient();
+  if (!current.isValid()) {
+    current = model_->firstPatient();
+    proposed_ = model_->keyOf(current);
+  }
   tree_->setAutoScroll(false);  // keeps the scroll position
   selection->setCurrentIndex(current, QItemSelectionModel::NoUpdate);
   tree_->setAutoScroll(true);
@@ -200,7 +205,27 @@ void StudyBrowser::restore(const TreeState& state) {
   for (const StudyRowKey& key : state.selected) select(model_->indexOf(key));
   if (!selection->hasSelection()) select(current);
   tree_->visualRect(current);  // lays out the rows, so that scrolling works
-  tree_->verticalScrollBar()->setValue(state.scrolled);
+  scrollBack(state);
+}
+
+// Returns the row whose place is kept while others come: the one that the user went to, or the uppermost of a
+// list that was scrolled.
+QModelIndex StudyBrowser::anchor() const {
+  if (!model_->list().isGrowing) return {};
+  const QModelIndex current = tree_->currentIndex();
+  const bool isVisible = tree_->viewport()->rect().contains(tree_->visualRect(current).center());
+  if (isVisible && model_->keyOf(current) != proposed_) return current;
+  return tree_->verticalScrollBar()->value() > 0 ? tree_->indexAt(QPoint(0, 0)) : QModelIndex();
+}
+
+void StudyBrowser::scrollBack(const TreeState& state) {
+  QScrollBar* bar = tree_->verticalScrollBar();
+  bar->setValue(state.scrolled);
+  const QModelIndex anchor = model_->indexOf(state.anchor);
+  if (!anchor.isValid()) return;
+  const QRect now = tree_->visualRect(anchor);
+  const bool isByRow = tree_->verticalScrollMode() == QAbstractItemView::ScrollPerItem;
+  bar->setValue(state.scrolled + (now.y() - state.anchorY) / (isByRow ? std::max(1, now.height()) : 1));
 }
 
 // Shows the series of a patient's latest study, or of the first study of the recent group.

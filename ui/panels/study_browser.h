@@ -65,6 +65,8 @@ class StudyBrowser : public QWidget {
     std::set<StudyRowKey> expanded, collapsed, selected;
     StudyRowKey current;
     int scrolled = 0;
+    StudyRowKey anchor;  // the row that keeps its place on the screen
+    int anchorY = 0;     // in pixels
   };
 
   QLayout* searchRow();
@@ -78,7 +80,9 @@ class StudyBrowser : public QWidget {
   void showList(const StudyListRequest& request, const StudyListPtr& list);
   void setUsable(bool usable);
   TreeState treeState(bool isSameSearch) const;
+  QModelIndex anchor() const;
   void restore(const TreeState& state);
+  void scrollBack(const TreeState& state);
   void showSeriesOf(const QModelIndex& index);
   void showUnavailable(const QString& sentence);
   QString noticeOn(const StudyList& list) const;
@@ -108,6 +112,7 @@ class StudyBrowser : public QWidget {
   QTimer ask_, sayBusy_;
   StudySort sort_;
   StudyListRequest asked_, shown_;
+  StudyRowKey proposed_;                // row that became the current one by itself
   std::unique_ptr<QObject> listening_;  // receiver of the listed source's signals
   std::vector<std::int64_t> removed_;   // studies removed by the last step
 };

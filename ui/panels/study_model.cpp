@@ -114,12 +114,10 @@ void StudyModel::setList(const StudyListPtr& list, const StudySort& sort) {
     for (auto& [study, series] : series_)
       series = std::make_shared<const std::vector<IndexedSeries>>(sortedSeries(*series, sort_));
   wanted_.clear();
-  std::erase_if(series_, [&](const auto& known) {
-    const auto holds = [&](const std::vector<IndexedStudy>& studies) {
-      return std::ranges::find(studies, known.first, &IndexedStudy::id) != studies.end();
-    };
-    return std::ranges::none_of(list_->patients, [&](const auto& patient) { return holds(patient.studies); });
-  });
+  tops_.clear();
+  auto gone = std::exchange(series_, {});
+  for (const ListedPatient& patient : list_->patients)
+    for (const IndexedStudy& study : patient.studies) series_.insert(gone.extract(study.id));
   endResetModel();
   for (const auto& [study, series] : series_) Q_EMIT seriesWanted(study);
 }
@@ -208,24 +206,27 @@ StudyRowKey StudyModel::keyOf(const QModelIndex& index) const {
   return {recent, study.patientId, study.patientName, patient ? 0 : study.id, series ? series->id : 0};
 }
 
+// Returns the row of a patient; -1 if there is none.
+int StudyModel::topOfPatient(const StudyRowKey& key) const {
+  if (tops_.empty())
+    for (int top = hasRecent(); top < rowCount(); ++top)
+      tops_[list_->patients[std::size_t(top - hasRecent())].key()] = top;
+  const auto found = tops_.find(key.patientId + '\n' + key.patientName);
+  return found == tops_.end() ? -1 : found->second;
+}
+
 QModelIndex StudyModel::indexOf(const StudyRowKey& key) const {
   if (key == StudyRowKey{}) return {};
-  if (key == StudyRowKey{.recent = true}) return hasRecent() ? index(0, 0) : QModelIndex();
-  const int begin = key.recent ? 0 : hasRecent(), end = key.recent ? hasRecent() : rowCount();
-  for (int top = begin; top < end; ++top) {
-    const std::vector<IndexedStudy>& studies = studiesBelow(top);
-    if (!key.recent &&
-        (studies.front().patientId != key.patientId || studies.front().patientName != key.patientName))
-      continue;
-    if (key.study == 0) return index(top, 0);
-    const auto study = std::ranges::find(studies, key.study, &IndexedStudy::id);
-    if (study == studies.end()) return {};
-    const QModelIndex found = index(int(study - studies.begin()), 0, index(top, 0));
-    for (int n = 0; key.series != 0 && n < rowCount(found); ++n)
-      if (seriesAt(index(n, 0, found))->id == key.series) return index(n, 0, found);
-    return key.series == 0 ? found : QModelIndex();
-  }
-  return {};
+  if (key.recent && !hasRecent()) return {};
+  const int top = key.recent ? 0 : topOfPatient(key);
+  if (top < 0 || key.study == 0) return index(top, 0);
+  const std::vector<IndexedStudy>& studies = studiesBelow(top);
+  const auto study = std::ranges::find(studies, key.study, &IndexedStudy::id);
+  if (study == studies.end()) return {};
+  const QModelIndex found = index(int(study - studies.begin()), 0, index(top, 0));
+  for (int n = 0; key.series != 0 && n < rowCount(found); ++n)
+    if (seriesAt(index(n, 0, found))->id == key.series) return index(n, 0, found);
+  return key.series == 0 ? found : QModelIndex();
 }
 
 QModelIndex StudyModel::index(int row, int column, const QModelIndex& parent) const {

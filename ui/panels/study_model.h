@@ -5,6 +5,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <unordered_map>
 
 #include "ui/data/study_list.h"
 
@@ -84,6 +85,7 @@ class StudyModel : public QAbstractItemModel {
 
  private:
   bool hasRecent() const { return !list_->recent.empty(); }
+  int topOfPatient(const StudyRowKey& key) const;
   const ListedPatient* patientAt(const QModelIndex& index) const;
   const std::vector<IndexedStudy>& studiesBelow(int top) const;
   QString patientCell(const ListedPatient& patient, StudyColumn column) const;
@@ -96,7 +98,9 @@ class StudyModel : public QAbstractItemModel {
   StudyListPtr list_ = std::make_shared<const StudyList>();
   StudySort sort_;
   std::map<std::int64_t, SeriesListPtr> series_;  // series by study
-  std::set<std::int64_t> wanted_;                 // studies whose series were requested
+  mutable std::unordered_map<std::string, int>
+      tops_;                       // rows of patients by their keys, once one is looked for
+  std::set<std::int64_t> wanted_;  // studies whose series were requested
 };
 
 }  // namespace volumen

@@ -23,6 +23,7 @@ struct AskedArchive {
     using Source = StudySource;
     QObject::connect(&source, &Source::listed, &source,
                      [this](const StudyListRequest& request, const StudyListPtr& list) {
+                       if (list->isGrowing) return;
                        words << QString::fromStdString(request.words);
                        lists.push_back(list);
                      });
