@@ -148,7 +148,7 @@ void TestEditedArchives::aRenamedArchiveIsAnotherSource() {
   w.child<QSpinBox>("archivePort")->selectAll();
   QTest::keyClicks(w.child<QSpinBox>("archivePort"), QString::number(second.port()));
   QVERIFY(w.save());
-  QCOMPARE(w.box()->count(), 3);
+  QCOMPARE(w.box()->count(), 4);
   QVERIFY(w.open("main", "Knee", "Sagittal"));
   QVERIFY(w.open("old", "Abdomen", "Venous"));
   QCOMPARE(w.openPlaces(), QStringList({QStringLiteral("archive:main:1"), QStringLiteral("archive:main:2"),

@@ -87,7 +87,7 @@ void TestGrowingLists::whatWasFoundStays() {
   }
   const QString beginning =
       QStringLiteral("These are not all studies. The ") +
-      (isCancelled ? QStringLiteral("search was cancelled.") : QStringLiteral("archive \"held\" "));
+      (isCancelled ? QStringLiteral("search of held was cancelled.") : QStringLiteral("archive \"held\" "));
   QTRY_VERIFY2_WITH_TIMEOUT(w.notice().startsWith(beginning), qPrintable(w.notice()), longest);
   QCOMPARE(w.patients().size(), qsizetype(400));
   w.tree()->header()->setSortIndicator(0, Qt::DescendingOrder);

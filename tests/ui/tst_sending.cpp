@@ -68,6 +68,7 @@ class TestSending : public QObject {
   void init() { openAlone(); }
   void theSeriesInTheViewIsSent_data();
   void theSeriesInTheViewIsSent();
+  void whatIsListedIsSent_data();
   void whatIsListedIsSent();
   void whatCannotBeSentIsTold_data();
   void whatCannotBeSentIsTold();
@@ -119,15 +120,22 @@ void TestSending::theSeriesInTheViewIsSent() {
   QCOMPARE(seriesInArchive(archive, "1.2.3.2"), 0);
 }
 
+void TestSending::whatIsListedIsSent_data() {
+  QTest::addColumn<QByteArray>("source");
+  QTest::newRow("in the list of this computer") << QByteArray("This computer");
+  QTest::newRow("in the list of all places") << QByteArray("All");
+}
+
 // A series of the study list, a study without opening it, and nothing that an archive lists.
 void TestSending::whatIsListedIsSent() {
+  QFETCH(QByteArray, source);
   QrPeer peer;
   QVERIFY(peer.start());
   const ListedArchives list(peer.port());
   const Studies studies;
   QVERIFY(studies.import());
   SendingWindow w(studies);
-  QVERIFY(w.has("Head", 4));
+  QVERIFY(w.choose(source.constData()) && w.has("Head", 4));
   w.tree()->setExpanded(w.row("Head", 4), true);
   QVERIFY(w.has("Soft tissue", 4));
   w.chooseInMenu(w.row("Soft tissue", 4), sendEntry);

@@ -161,7 +161,8 @@ void ArchiveSource::search(const std::string& words) {
         endSearch(QString::fromStdString(found.message()));
       },
       [this] {
-        endSearch(tr("The search was cancelled. Press Return in the search line to search again."));
+        endSearch(tr("The search of %1 was cancelled. Press Return in the search line to search again.")
+                      .arg(name()));
       });
 }
 

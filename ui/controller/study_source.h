@@ -39,6 +39,11 @@ class StudySource : public QObject {
   /// Returns whether it is asked over a network: less often, and only for what the user wants to see. False
   /// in the base class.
   virtual bool isRemote() const { return false; }
+  /// Returns whether it lists what other sources have. Then it is offered after them, while there are
+  /// archives. False in the base class.
+  virtual bool isOfOthers() const { return false; }
+  /// Sets the other sources that are offered, for one that lists them.
+  virtual void setOthers(const std::vector<StudySource*>&) {}
   /// Returns the path under which a study of this source is listed among open studies.
   QString placeOf(std::int64_t study) const { return QStringLiteral("%1:%2").arg(key()).arg(study); }
 

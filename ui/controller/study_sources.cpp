@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/archive/archives.h"
+#include "ui/controller/all_sources.h"
 #include "ui/controller/archive_source.h"
 #include "ui/controller/index_service.h"
 
@@ -17,6 +18,7 @@ constexpr Make sources[] = {
     [](const std::string& indexFolder, Jobs& jobs) -> std::unique_ptr<StudySource> {
       return std::make_unique<IndexService>(indexFolder, jobs);
     },
+    [](const std::string&, Jobs&) -> std::unique_ptr<StudySource> { return std::make_unique<AllSources>(); },
 };
 
 }  // namespace
@@ -33,7 +35,7 @@ StudySources::StudySources(StudySourceList always, std::string indexFolder, Jobs
       all_(std::move(always)),
       always_(all_.size()),
       current_(all_.front().get()) {
-  for (const auto& source : all_) offered_.push_back(source.get());
+  offer({});
 }
 
 StudySource* StudySources::offered(const QString& key) const {
@@ -53,13 +55,25 @@ void StudySources::choose(std::size_t n) {
 Status StudySources::offerArchives() {
   const Result<Archives> archives = readArchives(userArchivesFile());
   if (!archives) return archives.error();
-  offered_.resize(always_);
-  for (const Archive& archive : archives->archives) offered_.push_back(&sourceOf(archive));
+  offer(archives->archives);
   const bool isGone = std::ranges::find(offered_, current_) == offered_.end();
   if (isGone) current_ = offered_.front();
   Q_EMIT offeredChanged();
   if (isGone) Q_EMIT chosen();
   return {};
+}
+
+void StudySources::offer(const std::vector<Archive>& archives) {
+  offered_.clear();
+  for (std::size_t n = 0; n < always_; ++n)
+    if (!all_[n]->isOfOthers()) offered_.push_back(all_[n].get());
+  for (const Archive& archive : archives) offered_.push_back(&sourceOf(archive));
+  const std::vector<StudySource*> others = offered_;
+  for (std::size_t n = 0; n < always_; ++n) {
+    if (!all_[n]->isOfOthers()) continue;
+    all_[n]->setOthers(others);
+    if (!archives.empty()) offered_.push_back(all_[n].get());
+  }
 }
 
 // Returns the source of an archive, made if it is new. What it fetches changes the index.

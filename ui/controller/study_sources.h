@@ -13,15 +13,15 @@ struct Archive;
 class ArchiveSource;
 
 using StudySourceList = std::vector<std::unique_ptr<StudySource>>;
-/// Makes the sources that are always offered, in their order. `indexFolder` is the folder of the index.
+/// Makes the sources that are no archives, in their order. `indexFolder` is the folder of the index.
 using MakeStudySources = std::function<StudySourceList(const std::string& indexFolder, Jobs& jobs)>;
 
 /// Makes all such sources of this program.
 StudySourceList makeStudySources(const std::string& indexFolder, Jobs& jobs);
 
 /// The sources of studies; one of them is listed. The archives of the user's list follow those that are
-/// always offered. Each name of an archive has one source, which is kept after the archive left the list, as
-/// its studies may be open.
+/// always offered, and before sources that list all others. Each name of an archive has one source, which is
+/// kept after the archive left the list, as its studies may be open.
 class StudySources : public QObject {
   Q_OBJECT
  public:
@@ -53,6 +53,7 @@ class StudySources : public QObject {
 
  private:
   ArchiveSource& sourceOf(const Archive& archive);
+  void offer(const std::vector<Archive>& archives);
 
   const std::string indexFolder_;
   Jobs& jobs_;

@@ -46,8 +46,14 @@ void sortRows(std::vector<Row>& rows, bool ascending, const KeyOf& keyOf) {
   rows = std::move(sorted);
 }
 
-SortKey studyKey(const IndexedStudy& study, StudyColumn by, const SortKeys& keys) {
+using Places = std::map<std::int64_t, QString>;
+
+SortKey studyKey(const IndexedStudy& study, StudyColumn by, const SortKeys& keys, const Places& places) {
   switch (by) {
+    case StudyColumn::place: {
+      const auto place = places.find(study.id);
+      return keys(place == places.end() ? std::string() : place->second.toStdString());
+    }
     case StudyColumn::name:
       return keys(study.patientName);
     case StudyColumn::id:
@@ -72,11 +78,11 @@ SortKey studyKey(const IndexedStudy& study, StudyColumn by, const SortKeys& keys
   return keys({}, study.images);
 }
 
-SortKey patientKey(const ListedPatient& patient, StudyColumn by, const SortKeys& keys) {
+SortKey patientKey(const ListedPatient& patient, StudyColumn by, const SortKeys& keys, const Places& places) {
   if (by == StudyColumn::date) return keys(patient.date);
   if (by == StudyColumn::modality) return keys(patient.modalities);
   if (by == StudyColumn::images) return keys({}, patient.images);
-  return studyKey(patient.studies.front(), by, keys);
+  return studyKey(patient.studies.front(), by, keys, places);
 }
 
 void addUp(ListedPatient& patient) {
@@ -114,22 +120,23 @@ std::int64_t numberIn(const std::string& text) {
 
 }  // namespace
 
-StudyList listedStudies(std::vector<IndexedStudy> studies, const StudySort& sort, std::size_t mostRecent) {
+StudyList listedStudies(std::vector<IndexedStudy> studies, const StudySort& sort, std::size_t mostRecent,
+                        std::map<std::int64_t, QString> places) {
   StudyList list;
+  list.places = std::move(places);
   list.recent = openedLast(studies, mostRecent);
   const SortKeys keys;
   sortRows(studies, sort.ascending,
-           [&](const IndexedStudy& study) { return studyKey(study, sort.by, keys); });
-  std::map<std::pair<std::string, std::string>, std::size_t> places;
+           [&](const IndexedStudy& study) { return studyKey(study, sort.by, keys, list.places); });
+  std::map<std::pair<std::string, std::string>, std::size_t> rows;
   for (IndexedStudy& study : studies) {
-    const auto [place, isNew] =
-        places.try_emplace({study.patientId, study.patientName}, list.patients.size());
+    const auto [row, isNew] = rows.try_emplace({study.patientId, study.patientName}, list.patients.size());
     if (isNew) list.patients.emplace_back();
-    list.patients[place->second].studies.push_back(std::move(study));
+    list.patients[row->second].studies.push_back(std::move(study));
   }
   for (ListedPatient& patient : list.patients) addUp(patient);
   sortRows(list.patients, sort.ascending,
-           [&](const ListedPatient& patient) { return patientKey(patient, sort.by, keys); });
+           [&](const ListedPatient& patient) { return patientKey(patient, sort.by, keys, list.places); });
   return list;
 }
 
@@ -152,6 +159,7 @@ std::vector<IndexedSeries> sortedSeries(std::vector<IndexedSeries> series, const
       case StudyColumn::sex:
       case StudyColumn::accession:
       case StudyColumn::institution:
+      case StudyColumn::place:
         break;
     }
     return keys({});

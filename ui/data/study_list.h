@@ -21,7 +21,8 @@ enum class StudyColumn {
   birthDate,
   sex,
   accession,
-  institution
+  institution,
+  place
 };
 
 /// The studies of one patient, listed below each other.
@@ -43,6 +44,7 @@ struct StudyList {
   std::vector<ListedPatient> patients;
   /// Studies of an archive that are on this computer, too, with the number of their images here.
   std::map<std::int64_t, int> here{};
+  std::map<std::int64_t, QString> places{};  ///< names of the places of studies, in a list of several places
   QString notice{};        ///< a sentence on the list, such as that there may be more studies; may be empty
   bool isGrowing = false;  ///< more studies may follow
   bool operator==(const StudyList&) const = default;
@@ -57,7 +59,8 @@ struct StudySort {
 
 /// Returns the studies below their patients, both sorted. `recent` holds at most `mostRecent` of those ever
 /// opened.
-StudyList listedStudies(std::vector<IndexedStudy> studies, const StudySort& sort, std::size_t mostRecent);
+StudyList listedStudies(std::vector<IndexedStudy> studies, const StudySort& sort, std::size_t mostRecent,
+                        std::map<std::int64_t, QString> places = {});
 
 /// Returns the series of a study sorted likewise, by number for the column name. Equal ones keep their order.
 std::vector<IndexedSeries> sortedSeries(std::vector<IndexedSeries> series, const StudySort& sort);

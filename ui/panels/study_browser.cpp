@@ -1,6 +1,7 @@
 #include "ui/panels/study_browser.h"
 
 #include <QDragEnterEvent>
+#include <QHeaderView>
 #include <QLineEdit>
 #include <QMenu>
 #include <QScrollBar>
@@ -89,10 +90,18 @@ void StudyBrowser::listen() {
   model_->setSource(source->key());
   strip_->setSource(source->key());
   import_->setVisible(source->canImport());
+  showPlaces(source->isOfOthers());
   ask_.setInterval(source->isRemote() ? askRemoteAfterMs : askAfterMs);
   search_->setPlaceholderText(source->isRemote()
                                   ? tr("Search by name, ID, accession number, date, modality or description")
                                   : tr("Search by name, ID, date, institution, modality or description"));
+}
+
+void StudyBrowser::showPlaces(bool on) {
+  constexpr int column = int(StudyColumn::place);
+  tree_->setColumnHidden(column, !on);
+  if (!on && sort_.by == StudyColumn::place)
+    tree_->header()->setSortIndicator(int(StudyColumn::date), Qt::DescendingOrder);
 }
 
 // Clears everything that belongs to the previous source.
@@ -145,7 +154,7 @@ void StudyBrowser::showList(const StudyListRequest& request, const StudyListPtr&
 }
 
 QString StudyBrowser::noticeOn(const StudyList& list) const {
-  if (!list.notice.isEmpty() || !list.patients.empty()) return list.notice;
+  if (!list.notice.isEmpty() || !list.patients.empty() || list.isGrowing) return list.notice;
   if (!shown_.words.empty()) return tr("No study has all of these words.");
   if (!sources_.current().canImport()) return tr("There are no studies here.");
   return tr(

@@ -75,6 +75,7 @@ class StudyBrowser : public QWidget {
   void makeSourceBox();
   void showSources();
   void listen();
+  void showPlaces(bool on);
   void showSource();
   void ask();
   void showList(const StudyListRequest& request, const StudyListPtr& list);

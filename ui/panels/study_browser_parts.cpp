@@ -66,6 +66,8 @@ void StudyBrowser::makeTree() {
   header->setStretchLastSection(false);
   header->setSectionResizeMode(int(StudyColumn::description), QHeaderView::Stretch);
   columns_ = new StudyColumns(header);
+  header->resizeSection(int(StudyColumn::place),
+                        header->fontMetrics().horizontalAdvance(QStringLiteral("This computer")) + 16);
   header->setSectionsClickable(true);
   header->setSortIndicatorShown(true);
   header->setSortIndicator(int(sort_.by), Qt::DescendingOrder);

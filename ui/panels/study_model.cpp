@@ -58,6 +58,8 @@ QString studyCell(const IndexedStudy& study, StudyColumn column) {
       return idText(study.accessionNumber);
     case StudyColumn::institution:
       return institutionText(study.institution);
+    case StudyColumn::place:
+      return {};
     case StudyColumn::images:
       break;
   }
@@ -73,6 +75,7 @@ QString seriesCell(const IndexedSeries& series, StudyColumn column) {
     case StudyColumn::sex:
     case StudyColumn::accession:
     case StudyColumn::institution:
+    case StudyColumn::place:
       return {};
     case StudyColumn::date:
       return dateText(series.date);
@@ -250,7 +253,7 @@ int StudyModel::rowCount(const QModelIndex& parent) const {
   return known == series_.end() ? 0 : int(known->second->size());
 }
 
-int StudyModel::columnCount(const QModelIndex&) const { return int(StudyColumn::institution) + 1; }
+int StudyModel::columnCount(const QModelIndex&) const { return int(StudyColumn::place) + 1; }
 
 bool StudyModel::hasChildren(const QModelIndex& parent) const {
   if (parent.isValid() && parent.column() == 0 && kindOf(parent) == RowKind::study)
@@ -289,16 +292,28 @@ QString StudyModel::patientCell(const ListedPatient& patient, StudyColumn column
     case StudyColumn::description:
       return patient.studies.size() == 1 ? studyCell(first, column)
                                          : tr("%1 studies").arg(QLocale().toString(patient.studies.size()));
+    case StudyColumn::place:
+      return {};
     case StudyColumn::images:
       break;
   }
   return countText(patient.images);
 }
 
+// Returns the places of a study, or of all studies of a patient.
+QString StudyModel::placesOf(const QModelIndex& index) const {
+  QStringList places;
+  for (const std::int64_t study : studiesOf(index))
+    if (const auto place = list_->places.find(study); place != list_->places.end()) places << place->second;
+  places.removeDuplicates();
+  return places.join(QStringLiteral(", "));
+}
+
 QString StudyModel::cell(const QModelIndex& index) const {
   const auto column = StudyColumn(index.column());
   if (isRecentGroup(index)) return column == StudyColumn::name ? tr("Opened last") : QString();
   if (const IndexedSeries* series = seriesAt(index)) return seriesCell(*series, column);
+  if (column == StudyColumn::place) return placesOf(index);
   const ListedPatient* patient = patientAt(index);
   const IndexedStudy* study = kindOf(index) == RowKind::study ? studyAt(index) : nullptr;
   const QString text = patient ? patientCell(*patient, column)
@@ -359,9 +374,10 @@ QVariant StudyModel::headerData(int section, Qt::Orientation orientation, int ro
   if (role == Qt::TextAlignmentRole)
     return int((StudyColumn(section) == StudyColumn::images ? Qt::AlignRight : Qt::AlignLeft) |
                Qt::AlignVCenter);
-  const QString names[] = {
-      tr("Name"),   tr("ID"),         tr("Date"), tr("Modality"),         tr("Description"),
-      tr("Images"), tr("Birth date"), tr("Sex"),  tr("Accession number"), tr("Institution")};
+  const QString names[] = {tr("Name"),        tr("ID"),          tr("Date"),
+                           tr("Modality"),    tr("Description"), tr("Images"),
+                           tr("Birth date"),  tr("Sex"),         tr("Accession number"),
+                           tr("Institution"), tr("Found in")};
   return role == Qt::DisplayRole ? names[section] : QVariant();
 }
 

@@ -89,6 +89,7 @@ class StudyModel : public QAbstractItemModel {
   const ListedPatient* patientAt(const QModelIndex& index) const;
   const std::vector<IndexedStudy>& studiesBelow(int top) const;
   QString patientCell(const ListedPatient& patient, StudyColumn column) const;
+  QString placesOf(const QModelIndex& index) const;
   QString cell(const QModelIndex& index) const;
   QString toolTip(const QModelIndex& index) const;
   bool isOffline(const QModelIndex& index) const;

@@ -308,7 +308,7 @@ void TestArchiveSource::aSilentArchiveIsLeft() {
     QTest::qWait(300);
     QVERIFY(a.cancelJob());
     QCOMPARE(a.unavailable.size(), qsizetype(1));
-    QVERIFY(a.unavailable[0].startsWith(QStringLiteral("The search was cancelled.")));
+    QVERIFY(a.unavailable[0].startsWith(QStringLiteral("The search of qr was cancelled.")));
     a.source.studiesOf("PID1", "DOE^JANE");
     QTest::qWait(300);
     QVERIFY(a.cancelJob());
