@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "results/text/text.h"
+#include "ui/panels/saved_searches.h"
 #include "ui/panels/series_strip.h"
 #include "ui/panels/study_browser.h"
 #include "ui/panels/study_columns.h"
@@ -47,7 +48,9 @@ QLayout* StudyBrowser::searchRow() {
   search_->setClearButtonEnabled(true);
   auto* hide = buttonOf(QStringLiteral("browserHide"), tr("Hide"), [this] { Q_EMIT hideRequested(); });
   hide->setToolTip(tr("Hide the study list (Ctrl+B)"));
-  return lineOf({sourceBox_, {search_, 1}, import_, hide}, -1);
+  auto* saved = new SavedSearches(search_);
+  connect(saved, &SavedSearches::chosen, this, &StudyBrowser::ask);
+  return lineOf({sourceBox_, {search_, 1}, saved, import_, hide}, -1);
 }
 
 void StudyBrowser::makeTree() {
