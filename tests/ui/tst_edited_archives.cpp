@@ -1,6 +1,8 @@
 // Guards the dialog of archives, by real events: archives of both protocols are tested and saved, and the
 // study list follows at once. Studies of archives that are renamed, changed or removed stay what they are.
+#include <QElapsedTimer>
 #include <QSpinBox>
+#include <QTcpServer>
 
 #include "tests/ui/archives_window.h"
 #include "tests/unit/archive/orthanc_peer.h"
@@ -17,6 +19,7 @@ class TestEditedArchives : public QObject {
   void init() { openAlone(); }
   void archivesAreEdited();
   void aWebArchiveIsAdded();
+  void closingWaitsForNoTest();
   void aRemovedArchiveKeepsItsStudies();
   void aRenamedArchiveIsAnotherSource();
   void aChangedArchiveIsAskedAgain();
@@ -101,6 +104,29 @@ void TestEditedArchives::aWebArchiveIsAdded() {
   const Result<Archives> saved = readArchives(userArchivesFile());
   QVERIFY(saved && *saved == Archives{{web}});
   QVERIFY(w.open("web", "Knee", "Sagittal"));
+}
+
+// A server that takes no more connections is as silent as a host that is off: a test of it takes 5 s.
+void TestEditedArchives::closingWaitsForNoTest() {
+  QTcpServer full;
+  full.setListenBacklogSize(1);
+  QVERIFY(full.listen(QHostAddress::LocalHost));
+  full.pauseAccepting();
+  QTcpSocket waiting[4];
+  for (QTcpSocket& socket : waiting) socket.connectToHost(QHostAddress::LocalHost, full.serverPort());
+  QTest::qWait(100);
+  const ListedArchives list(full.serverPort());
+  const Studies empty;
+  ArchivesWindow w(empty);
+  w.edit();
+  w.press("testArchive");
+  QTest::qWait(300);
+  QCOMPARE(w.told(), QStringLiteral("Testing..."));
+  QElapsedTimer since;
+  since.start();
+  w.press("cancelArchives");
+  QTRY_VERIFY_WITH_TIMEOUT(!w.child<QDialog>("archivesDialog"), longest);
+  QVERIFY2(since.elapsed() < 3000, qPrintable(QStringLiteral("%1 ms").arg(since.elapsed())));
 }
 
 // An archive that comes back lists its studies under the same numbers.

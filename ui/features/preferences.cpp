@@ -14,6 +14,7 @@ namespace {
 class PreferencesFeature : public Feature {
  public:
   explicit PreferencesFeature(Workbench& bench);
+  ~PreferencesFeature() override { delete dialog_; }  // it uses the lane
 
  private:
   void makeActions();
@@ -23,6 +24,7 @@ class PreferencesFeature : public Feature {
   void offerArchives();
 
   QList<QAction*> actions_;  // first the theme, hidden names and the table
+  JobLane tests_;            // of archives
   QPointer<PreferencesDialog> dialog_;
 };
 
@@ -88,7 +90,7 @@ void PreferencesFeature::showTheme() {
 
 void PreferencesFeature::showDialog() {
   if (!dialog_) {
-    dialog_ = new PreferencesDialog(session_, bench_.dialogParent());
+    dialog_ = new PreferencesDialog(session_, tests_, bench_.dialogParent());
     dialog_->setAttribute(Qt::WA_DeleteOnClose);
     connect(dialog_, &PreferencesDialog::archivesSaved, this, &PreferencesFeature::offerArchives);
   }

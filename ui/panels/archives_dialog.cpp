@@ -26,14 +26,15 @@ Status written(const Archives& archives) {
 
 }  // namespace
 
-ArchivesDialog::ArchivesDialog(QWidget* parent)
+ArchivesDialog::ArchivesDialog(JobLane& tests, QWidget* parent)
     : QDialog(parent),
       list_(new QListWidget),
       fields_(new QWidget),
       form_(new QFormLayout(fields_)),
       kind_(choiceField({QStringLiteral("archiveKind"), tr("Protocol")}, {tr("DIMSE"), tr("DICOMweb")})),
       port_(wholeField({QStringLiteral("archivePort"), tr("Port")}, 1, 65535)),
-      told_(wrappedLabel(QStringLiteral("archiveTold"))) {
+      told_(wrappedLabel(QStringLiteral("archiveTold"))),
+      tests_(tests) {
   setObjectName(QStringLiteral("archivesDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Archives"));
@@ -63,6 +64,8 @@ ArchivesDialog::ArchivesDialog(QWidget* parent)
   for (auto* button : findChildren<QPushButton*>())
     if (button->objectName() != QStringLiteral("cancelArchives")) button->setEnabled(false);
 }
+
+ArchivesDialog::~ArchivesDialog() { tests_.giveUpAll(); }
 
 QLineEdit* ArchivesDialog::addText(const char* word, const QString& label, std::string Archive::*member,
                                    std::optional<ArchiveKind> kind) {

@@ -20,7 +20,10 @@ namespace volumen {
 class ArchivesDialog : public QDialog {
   Q_OBJECT
  public:
-  explicit ArchivesDialog(QWidget* parent = nullptr);
+  /// Archives are tested on `tests`, which outlives the dialog: a host that does not answer cannot hold it
+  /// up.
+  explicit ArchivesDialog(JobLane& tests, QWidget* parent = nullptr);
+  ~ArchivesDialog() override;
 
  private:
   void fillForm();
@@ -48,7 +51,7 @@ class ArchivesDialog : public QDialog {
   QComboBox* kind_;
   QSpinBox* port_;
   QLabel* told_;
-  JobLane tests_;
+  JobLane& tests_;
 };
 
 }  // namespace volumen

@@ -9,7 +9,8 @@
 
 namespace volumen {
 
-PreferencesDialog::PreferencesDialog(Session& session, QWidget* parent) : QDialog(parent), session_(session) {
+PreferencesDialog::PreferencesDialog(Session& session, JobLane& tests, QWidget* parent)
+    : QDialog(parent), session_(session), tests_(tests) {
   setObjectName(QStringLiteral("preferencesDialog"));
   setWindowTitle(tr("Preferences"));
   auto* form = new QFormLayout(this);
@@ -65,7 +66,7 @@ void PreferencesDialog::addFields(QFormLayout& form) {
        &Preferences::referenceEnds);
   flag(QStringLiteral("hideNames"), tr("Hide names, IDs, dates and file names"), &Preferences::hideNames);
   auto* archives = buttonOf<QPushButton>(QStringLiteral("editArchives"), tr("Edit archives..."), [this] {
-    auto* dialog = new ArchivesDialog(this);
+    auto* dialog = new ArchivesDialog(tests_, this);
     connect(dialog, &QDialog::accepted, this, &PreferencesDialog::archivesSaved);
     dialog->open();
   });

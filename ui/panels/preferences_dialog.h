@@ -2,6 +2,7 @@
 
 #include <QDialog>
 
+#include "ui/document/job_lane.h"
 #include "ui/workspace/session.h"
 
 class QFormLayout;
@@ -12,7 +13,8 @@ namespace volumen {
 class PreferencesDialog : public QDialog {
   Q_OBJECT
  public:
-  explicit PreferencesDialog(Session& session, QWidget* parent = nullptr);
+  /// Archives are tested on `tests`, which outlives the dialog.
+  PreferencesDialog(Session& session, JobLane& tests, QWidget* parent = nullptr);
 
  Q_SIGNALS:
   /// The user's list of archives was written.
@@ -23,6 +25,7 @@ class PreferencesDialog : public QDialog {
   void askToRestore();
 
   Session& session_;
+  JobLane& tests_;
 };
 
 }  // namespace volumen
