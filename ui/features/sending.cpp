@@ -1,12 +1,17 @@
 #include <QLocale>
+#include <QTemporaryDir>
 #include <algorithm>
 #include <set>
 
 #include "io/archive/send_archive.h"
+#include "io/export/export_segments.h"
 #include "results/text/text.h"
+#include "ui/controller/segment_target.h"
+#include "ui/controller/segments_on_slices.h"
 #include "ui/document/job_lane.h"
 #include "ui/features/feature.h"
 #include "ui/panels/send_dialog.h"
+#include "ui/workspace/derived_text.h"
 
 namespace volumen {
 
@@ -18,7 +23,8 @@ struct SendOffer {
   ListFiles files;
 };
 
-// Sends the series in focus, or a study or series of the study list, to an archive.
+// Sends the series in focus with its segments, an open object, or a study or series of the study list, to an
+// archive.
 class Sending : public Feature {
  public:
   explicit Sending(Workbench& bench);
@@ -29,6 +35,7 @@ class Sending : public Feature {
  private:
   void offerShown();
   void offerListed(const IndexedChoice& choice, const QString& name);
+  void offerObject(const DerivedObjectPtr& object);
   void ask(const QString& name, const std::vector<SendOffer>& offers);
   void send(const QString& name, const Archive& archive, const ListFiles& files);
   void showReport(const QString& archive, const SendReport& report);
@@ -54,6 +61,19 @@ std::vector<std::string> openFilesOf(const OpenStudies& open, const Series& show
   for (const DerivedObjectPtr& object : open.derived())
     if (isOfStudy && belongs(*object)) files.insert(object->path);
   return {files.begin(), files.end()};
+}
+
+// Writes segments as a DICOM segmentation into a folder that is deleted with the last copy of the function.
+ListFiles filesOfSegments(const std::vector<SegmentMap>& maps, const Series& series) {
+  return
+      [maps, series, folder = std::make_shared<const QTemporaryDir>()]() -> Result<std::vector<std::string>> {
+        const auto segments = segmentedOnSlices(maps, series, {});
+        if (!segments) return segments.error();
+        const auto written =
+            exportSegments(folder->filePath(QStringLiteral("segments.dcm")).toStdString(), *segments, series);
+        if (!written) return written.error();
+        return written->files;
+      };
 }
 
 QString sentNumber(std::size_t number) { return QLocale().toString(qulonglong(number)); }
@@ -84,6 +104,7 @@ Sending::Sending(Workbench& bench) : Feature(bench) {
                     [this](bool) { offerShown(); },
                     {{"fileMenu", 50, 60}}});
   connect(&bench_, &Workbench::sendRequested, this, &Sending::offerListed);
+  connect(&bench_, &Workbench::objectSendRequested, this, &Sending::offerObject);
 }
 
 void Sending::offerShown() {
@@ -98,9 +119,21 @@ void Sending::offerShown() {
   const auto files = [&](bool isOfStudy) {
     return [files = openFilesOf(open_, *shown, isOfStudy)] { return Result(files); };
   };
+  std::vector<SendOffer> offers{{tr("The series in the view"), files(false)},
+                                {tr("All open series of its study"), files(true)}};
+  const bool isSegmented = session_.series() && keyOf(session_.series()->series) == keyOf(*shown);
+  const std::vector<const SegmentMap*> maps =
+      isSegmented ? allSegmentsShown(session_) : std::vector<const SegmentMap*>();
+  if (!maps.empty())
+    offers.push_back({tr("Its segments as they are now"), filesOfSegments(copiesOf(maps), *shown)});
   ask(patientText(*shown) + QStringLiteral(", ") + studyText(*shown) + QStringLiteral(", ") +
           seriesText(*shown),
-      {{tr("The series in the view"), files(false)}, {tr("All open series of its study"), files(true)}});
+      offers);
+}
+
+void Sending::offerObject(const DerivedObjectPtr& object) {
+  ask(patientText(*object) + QStringLiteral(", ") + derivedName(*object),
+      {{tr("This object"), [path = object->path] { return Result(std::vector<std::string>{path}); }}});
 }
 
 void Sending::offerListed(const IndexedChoice& choice, const QString& name) {

@@ -49,6 +49,7 @@ Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(ope
   connect(panel_, &StudiesPanel::objectChosen, &bench_, &Workbench::objectChosen);
   connect(panel_, &StudiesPanel::attributesRequested, this, &Studies::showAttributes);
   connect(panel_, &StudiesPanel::segmentsRequested, &bench_, &Workbench::segmentsRequested);
+  connect(panel_, &StudiesPanel::sendRequested, &bench_, &Workbench::objectSendRequested);
   QAction* attributes = bench_.addAction({"attributes",
                                           tr("DICOM attributes..."),
                                           {},

@@ -178,6 +178,8 @@ class Workbench : public QObject, public WindowParts {
   void openRequested(const QStringList& paths, const std::optional<volumen::Scene>& scene = {});
   /// Requests to send a study or series of the listed source, called `name`, to an archive.
   void sendRequested(const volumen::IndexedChoice& choice, const QString& name);
+  /// Requests to send an open object to an archive.
+  void objectSendRequested(const volumen::DerivedObjectPtr& object);
   /// Requests to import segments of these files into the series of the Segments panel.
   void segmentsRequested(const QStringList& paths);
   /// The view in focus shows another series, or shows its series in another way.

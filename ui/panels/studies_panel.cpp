@@ -252,11 +252,7 @@ void StudiesPanel::showMenu(QPoint position) {
   if (series && series->format == "DICOM")
     menu->addAction(tr("DICOM attributes..."), this,
                     [this, chosen = *series] { Q_EMIT attributesRequested(chosen); });
-  const DerivedObjectPtr object = item ? derivedObjectOf(item) : nullptr;
-  if (object && object->kind == DerivedKind::segmentation)
-    menu->addAction(tr("Edit as segments"), this, [this, path = QString::fromStdString(object->path)] {
-      Q_EMIT segmentsRequested({path});
-    });
+  if (item) addObjectEntries(menu, derivedObjectOf(item));
   if (menu->isEmpty()) return menu->deleteLater();
   menu->popup(tree_->viewport()->mapToGlobal(position));
 }

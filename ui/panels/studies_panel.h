@@ -40,6 +40,7 @@ class StudiesPanel : public QWidget {
   void attributesRequested(const volumen::Series& series);
   /// Requests to edit the segments of these objects.
   void segmentsRequested(const QStringList& paths);
+  void sendRequested(const volumen::DerivedObjectPtr& object);
   /// Requests to remove these from the list.
   void removeRequested(const std::vector<volumen::SeriesKey>& series,
                        const std::vector<volumen::DerivedKey>& derived);
@@ -57,6 +58,7 @@ class StudiesPanel : public QWidget {
   void showUnlisted(bool comesBack);
   void addSeries(const OpenStudy& opened, std::vector<std::size_t> row);
   void addDerivedObject(const OpenStudy& opened, std::size_t n);
+  void addObjectEntries(QMenu* menu, const DerivedObjectPtr& object);
   void showDerivedObjects();
   void addRefused(const QString& path, const Study& study);
   void setThumbnail(const Series& series, const QImage& thumbnail);

@@ -1,4 +1,5 @@
 #include <QFileInfo>
+#include <QMenu>
 #include <QTreeWidgetItemIterator>
 #include <algorithm>
 #include <unordered_set>
@@ -27,6 +28,15 @@ void StudiesPanel::addDerivedObject(const OpenStudy& opened, std::size_t n) {
   auto* item = new QTreeWidgetItem(studyItem(study));
   item->setData(0, pathRole, opened.path);
   item->setData(0, derivedRole, qulonglong(n));
+}
+
+void StudiesPanel::addObjectEntries(QMenu* menu, const DerivedObjectPtr& object) {
+  if (!object) return;
+  if (object->kind == DerivedKind::segmentation)
+    menu->addAction(tr("Edit as segments"), this, [this, path = QString::fromStdString(object->path)] {
+      Q_EMIT segmentsRequested({path});
+    });
+  menu->addAction(tr("Send to archive..."), this, [this, object] { Q_EMIT sendRequested(object); });
 }
 
 // Repeated whenever the list has new pictures that objects may refer to.
