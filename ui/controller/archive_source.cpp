@@ -3,8 +3,6 @@
 #include <QLocale>
 #include <utility>
 
-#include "io/archive/fetch_archive.h"
-#include "io/archive/fetched_studies.h"
 #include "io/archive/search_archive.h"
 #include "ui/workspace/indexed_text.h"
 
@@ -14,42 +12,10 @@ namespace {
 
 constexpr int lookEveryMs = 100, longestMs = 1000;
 
-// Returns the number of images in the index by UID of their study; nothing if there is no index.
-std::map<std::string, int> imagesHere(const std::string& indexFolder) {
-  std::map<std::string, int> here;
-  const Result<Index> index = Index::openAsItIs(indexFolder);
-  if (!index) return here;
-  const Result<std::vector<IndexedStudy>> studies = index->studies();
-  if (!studies) return here;
-  for (const IndexedStudy& study : *studies)
-    if (!study.offline) here[study.studyUid] += study.images;
-  return here;
-}
-
-QString numberText(std::size_t number) { return QLocale().toString(qulonglong(number)); }
-
 // Tells how far the search of an archive is.
 QString soFarText(const QString& archive, std::size_t studies) {
   if (studies == 1) return ArchiveSource::tr("Searching %1: 1 study so far.").arg(archive);
-  return ArchiveSource::tr("Searching %1: %2 studies so far.").arg(archive, numberText(studies));
-}
-
-// The Error: the files are not in the index.
-Status addToIndex(const std::string& indexFolder, const std::string& folder, const CancelToken& cancel) {
-  Result<Index> index = Index::open(indexFolder);
-  if (!index) return index.error();
-  const Result<ImportReport> imported = index->import({folder}, {}, cancel);
-  return imported ? Status() : imported.error();
-}
-
-// Returns how many images are missing, and why; empty for none.
-QString missingText(const FetchReport& report) {
-  if (report.isAll()) return {};
-  const QString why = report.problems.empty() ? QString() : QString::fromStdString(report.problems.front());
-  return ArchiveSource::tr("%1 of %2 images are missing. %3")
-      .arg(numberText(std::size_t(report.expected - report.fetched - report.alreadyHere)),
-           numberText(std::size_t(report.expected)), why)
-      .trimmed();
+  return ArchiveSource::tr("Searching %1: %2 studies so far.").arg(archive, countText(int(studies)));
 }
 
 std::vector<IndexedStudy> studiesIn(ArchiveAnswers&& answers) {
@@ -88,6 +54,17 @@ Result<std::vector<IndexedStudy>> archivedStudiesOf(const Archive& archive, cons
 
 }  // namespace
 
+ArchiveSource::ImagesHere ArchiveSource::imagesHere(const std::string& indexFolder) {
+  auto here = std::make_shared<std::map<std::string, int>>();
+  const Result<Index> index = Index::openAsItIs(indexFolder);
+  if (!index) return here;
+  const Result<std::vector<IndexedStudy>> studies = index->studies();
+  if (!studies) return here;
+  for (const IndexedStudy& study : *studies)
+    if (!study.offline) (*here)[study.studyUid] += study.images;
+  return here;
+}
+
 std::int64_t UidNumbers::of(const std::string& uid) {
   const auto [known, isNew] = numbers_.try_emplace(uid, std::int64_t(uids_.size()) + 1);
   if (isNew) uids_.push_back(uid);
@@ -101,11 +78,6 @@ std::string UidNumbers::uidOf(std::int64_t number) const {
 struct ArchiveSource::Found {
   ArchiveAnswers answers;
   ImagesHere here;
-};
-
-struct ArchiveSource::Fetched {
-  std::vector<std::string> files;
-  QString problem;  // why some are missing, or not in the index; empty for none
 };
 
 ArchiveSource::ArchiveSource(Archive archive, std::string indexFolder, Jobs& jobs, QObject* parent)
@@ -148,6 +120,7 @@ void ArchiveSource::giveUpSearch() {
 
 void ArchiveSource::search(const std::string& words) {
   seriesOf_.clear();
+  newestHere_.reset();
   incoming_ = std::make_shared<Incoming>();
   look_.start();
   sinceTaken_.start();
@@ -173,7 +146,7 @@ Result<ArchiveSource::Found> ArchiveSource::find(const Archive& archive, const s
   query.words = words.empty() ? "today" : words;
   ImagesHere here;
   const auto knowsHere = [&] {
-    if (!here) here = std::make_shared<const std::map<std::string, int>>(imagesHere(indexFolder_));
+    if (!here) here = imagesHere(indexFolder_);
     return here;
   };
   std::size_t count = 0;
@@ -199,7 +172,7 @@ void ArchiveSource::takeIncoming() {
     const std::lock_guard lock(incoming_->mutex);
     const bool isMuch = incoming_->studies.size() >= listed / 4;
     if (isMuch || !look_.isActive() || sinceTaken_.hasExpired(longestMs)) studies.swap(incoming_->studies);
-    here = incoming_->here;
+    here = newestHere_ ? newestHere_ : incoming_->here;
   }
   if (studies.empty()) return;
   if (!answer_) answer_ = Answer{wanted_.words, {}, 0, here, {}};
@@ -221,7 +194,12 @@ void ArchiveSource::takeAnswer(const std::string& words, Found found) {
   notices.removeAll(QString());
   const auto studies =
       std::make_shared<const std::vector<IndexedStudy>>(numbered(studiesIn(std::move(found.answers))));
-  answer_ = Answer{words, {studies}, studies->size(), found.here, notices.join(QLatin1Char(' ')), true};
+  answer_ = Answer{words,
+                   {studies},
+                   studies->size(),
+                   newestHere_ ? newestHere_ : found.here,
+                   notices.join(QLatin1Char(' ')),
+                   true};
   tellAnswer();
 }
 
@@ -316,55 +294,6 @@ void ArchiveSource::studiesOf(const std::string& patientId, const std::string& p
         answer(found ? std::optional(numbered(std::move(*found))) : std::nullopt);
       },
       [answer] { answer({}); });
-}
-
-void ArchiveSource::open(const IndexedChoice& choice, OpenHow how) {
-  const std::string studyUid = studies_.uidOf(choice.study);
-  if (studyUid.empty())
-    return Q_EMIT notOpened(choice, tr("This study is not in the list of %1.").arg(name()));
-  OpenIntent intent;
-  intent.how = how;
-  intent.seriesUid = series_.uidOf(choice.series);
-  fetches_.run(
-      JobName(tr("Fetching"), patientNameText(patientNames_[choice.study])),
-      [this, archive = archive_, studyUid, seriesUid = intent.seriesUid](const Job& job) {
-        return fetch(archive, studyUid, seriesUid, job);
-      },
-      [this, choice, intent](const Result<Fetched>& fetched) {
-        if (!fetched) return Q_EMIT notOpened(choice, QString::fromStdString(fetched.message()));
-        Q_EMIT filesFound(choice, fetched->files, intent);
-        Q_EMIT imported();
-        if (!fetched->problem.isEmpty()) Q_EMIT failed(fetched->problem);
-      });
-}
-
-// Runs on the thread of `fetches_`. Series that were opened before stay open: their files belong to the
-// study.
-Result<ArchiveSource::Fetched> ArchiveSource::fetch(const Archive& archive, const std::string& studyUid,
-                                                    const std::string& seriesUid, const Job& job) {
-  if (indexFolder_.empty())
-    return Error{tr("There is no home folder for fetched studies: set HOME or XDG_DATA_HOME.").toStdString()};
-  const FetchRequest request{studyUid, seriesUid, fetchedFolder(indexFolder_, studyUid), true};
-  const Progress progress = [&](const char*, std::size_t done, std::size_t total) {
-    job.tell(tr("image %1 of %2").arg(numberText(done), numberText(total)), double(done) / double(total));
-  };
-  const Result<FetchReport> report = fetchFromArchive(archive, request, progress, job.cancel());
-  if (!report) return report.error();
-  if (report->fetched + report->alreadyHere == 0)
-    return Error{
-        tr("The archive \"%1\" sent no images.").arg(QString::fromStdString(archive.name)).toStdString()};
-  Fetched fetched{{}, missingText(*report)};
-  job.tell(tr("adding to the list of studies"), -1);
-  const Status added = addToIndex(indexFolder_, folderOf(request), job.cancel());
-  if (!added && fetched.problem.isEmpty()) fetched.problem = QString::fromStdString(added.message());
-  const auto removed = trimFetched(indexFolder_, mostBytesFetched(archive));
-  if (!removed && fetched.problem.isEmpty()) fetched.problem = QString::fromStdString(removed.message());
-  std::set<std::string> files;
-  opened_[studyUid].insert(seriesUid);
-  for (const std::string& series : opened_[studyUid])
-    for (std::string& file : filesFetched({studyUid, series, request.folder})) files.insert(std::move(file));
-  fetched.files.assign(files.begin(), files.end());
-  return fetched;
 }
 
 }  // namespace volumen

@@ -25,10 +25,10 @@ class UidNumbers {
   std::vector<std::string> uids_;
 };
 
-/// An archive of the user's list. Without words it lists the studies of today, else what it answers, while
-/// answers come. Opened studies are fetched into the folder of the index and imported. Searches and fetches
-/// are jobs in the list. A search that is cancelled there or fails ends in unavailable() if it found nothing,
-/// else in what it found.
+/// An archive of the user's list. Without words it lists the studies of today. It lists what it answers while
+/// answers come. Opened studies are fetched into the folder of the index, and imported while they are opened.
+/// Searches and fetches are jobs in the list. A search that is cancelled there or fails ends in unavailable()
+/// if it found nothing, else in what it found.
 class ArchiveSource : public StudySource {
   Q_OBJECT
  public:
@@ -74,6 +74,8 @@ class ArchiveSource : public StudySource {
   struct Found;
   struct Fetched;
 
+  // Empty without an index.
+  static ImagesHere imagesHere(const std::string& indexFolder);
   static StudyList listOf(const Answer& answer, const StudySort& sort);
   Result<Found> find(const Archive& archive, const std::string& words, Incoming& incoming,
                      const Job& job) const;
@@ -86,6 +88,7 @@ class ArchiveSource : public StudySource {
   void takeAnswer(const std::string& words, Found found);
   void tellAnswer();
   void endSearch(const QString& sentence);
+  void importInto(const std::string& folder);
   void takeSeries(std::int64_t study, std::vector<IndexedSeries> found);
 
   Archive archive_;  // jobs use copies
@@ -98,9 +101,10 @@ class ArchiveSource : public StudySource {
   std::optional<Answer> answer_;  // empty after a failure
   bool isListOld_ = false;        // the list in work lacks what came since
   std::shared_ptr<Incoming> incoming_;
+  ImagesHere newestHere_;  // if something was imported since the search began
   QTimer look_;
   QElapsedTimer sinceTaken_;
-  JobLane searches_, lists_, questions_, fetches_;
+  JobLane searches_, lists_, questions_, fetches_, imports_;
 };
 
 }  // namespace volumen
