@@ -37,7 +37,7 @@ class MoveReception {
     ReceiveEvents events;
     events.onListening = [this] { isListening_ = true; };
     events.onStored = [this](const Received& one) { take(one); };
-    events.wants = [this](const std::string& uid) { return wanted_.count(uid) > 0; };
+    events.wants = [this](const dicom::InstanceUids& uids) { return wanted_.count(uids.instance) > 0; };
     running_ = std::async(std::launch::async, [this, events] {
       return receiveInstances(listening_, folder_.path().toStdString(), events, end_);
     });

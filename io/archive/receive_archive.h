@@ -5,6 +5,7 @@
 #include <string>
 
 #include "io/archive/archives.h"
+#include "io/dicom/instance_uids.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -34,8 +35,9 @@ struct ReceiveEvents {
   std::function<void()> onListening;  ///< peers can connect from now on
   std::function<void(const Received&)> onStored;
   std::function<void(const ReceivedAssociation&)> onEnded;
-  /// Returns whether an instance of this UID is wanted; others are refused. If empty, all are.
-  std::function<bool(const std::string& sopInstanceUid)> wants;
+  /// Returns whether an instance is wanted; others are refused. Called before the instance gets its place, by
+  /// several threads at once. If empty, all are wanted.
+  std::function<bool(const dicom::InstanceUids&)> wants;
 };
 
 /// What came while volumen listened.

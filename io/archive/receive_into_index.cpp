@@ -1,12 +1,15 @@
 #include "io/archive/receive_into_index.h"
 
 #include <chrono>
+#include <filesystem>
+#include <fstream>
 #include <future>
 #include <map>
 #include <mutex>
 #include <vector>
 
 #include "io/archive/fetch_archive.h"
+#include "io/files/private_folder.h"
 
 namespace volumen {
 
@@ -14,37 +17,87 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-// The folders of studies that are not in the index yet.
+// The studies that are not in the index yet, each marked by an empty file beside the index: if the program is
+// killed, the next one finds the marks.
 class Arrivals {
  public:
-  void note(const std::string& studyFolder) {
+  explicit Arrivals(const std::string& indexFolder)
+      : marks_(indexFolder + "/arrived"), studies_(fetchedFolder(indexFolder)) {}
+
+  // Makes the folder of the marks, and notes the studies that have one.
+  Status begin() {
+    if (Status s = makePrivateFolder(marks_); !s) return s;
+    for (const std::string& study : marked()) times_.emplace(study, Times{});
+    return {};
+  }
+  void note(const std::string& studyUid) {
+    const std::string study = nameForUid(studyUid);
     const std::scoped_lock one(mutex_);
     const auto now = Clock::now();
-    times_.try_emplace(studyFolder, Times{now, now}).first->second.last = now;
+    const auto [times, isNew] = times_.try_emplace(study, Times{now, now});
+    times->second.last = now;
+    if (isNew) std::ofstream(marks_ + "/" + study).flush();
   }
-  // Returns those whose last instance came `quiet` ago or earlier, or that have waited for long, and forgets
-  // them.
+  // Returns the studies whose last instance came `quiet` ago or earlier, or that have waited for long, and
+  // forgets them.
   std::vector<std::string> take(Clock::duration quiet) {
     constexpr std::chrono::seconds mostWait{30};
     const std::scoped_lock one(mutex_);
-    std::vector<std::string> folders;
+    std::vector<std::string> studies;
     std::erase_if(times_, [&, now = Clock::now()](const auto& arrival) {
       if (arrival.second.last > now - quiet && arrival.second.first > now - mostWait) return false;
-      folders.push_back(arrival.first);
+      studies.push_back(arrival.first);
       return true;
     });
-    return folders;
+    return studies;
+  }
+  // Imports studies that were taken. Those of which nothing came meanwhile lose their marks.
+  Result<ImportReport> import(Index& index, const std::vector<std::string>& studies,
+                              const CancelToken& cancel) {
+    std::vector<std::string> folders;
+    std::error_code ignored;
+    for (const std::string& study : studies)
+      if (std::filesystem::is_directory(studies_ + "/" + study, ignored))
+        folders.push_back(studies_ + "/" + study);
+    Result<ImportReport> imported = index.import(folders, {}, cancel);
+    const bool isDone = imported && !imported->cancelled;
+    const std::scoped_lock one(mutex_);
+    for (const std::string& study : studies)
+      if (!isDone)
+        times_.emplace(study, Times{Clock::now(), Clock::now()});
+      else if (!times_.contains(study))
+        std::filesystem::remove(marks_ + "/" + study, ignored);
+    return imported;
   }
 
  private:
-  std::mutex mutex_;
+  std::vector<std::string> marked() const {
+    std::vector<std::string> studies;
+    std::error_code ignored;
+    for (const auto& mark : std::filesystem::directory_iterator(marks_, ignored))
+      studies.push_back(mark.path().filename().string());
+    return studies;
+  }
+
   struct Times {
     Clock::time_point first, last;
   };
-  std::map<std::string, Times> times_;
+  const std::string marks_, studies_;
+  std::mutex mutex_;
+  std::map<std::string, Times> times_;  // by names of folders
 };
 
 }  // namespace
+
+Result<ImportReport> importArrived(const std::string& indexFolder, const CancelToken& cancel) {
+  std::error_code ignored;
+  if (std::filesystem::is_empty(indexFolder + "/arrived", ignored) || ignored) return ImportReport{};
+  Arrivals arrivals(indexFolder);
+  if (Status s = arrivals.begin(); !s) return s.error();
+  Result<Index> index = Index::open(indexFolder);
+  if (!index) return index.error();
+  return arrivals.import(*index, arrivals.take({}), cancel);
+}
 
 Result<ReceiveReport> receiveIntoIndex(const Listening& listening, const std::string& indexFolder,
                                        const ReceiveEvents& events,
@@ -54,19 +107,21 @@ Result<ReceiveReport> receiveIntoIndex(const Listening& listening, const std::st
   constexpr std::chrono::seconds quiet{2};
   Result<Index> index = Index::open(indexFolder);
   if (!index) return index.error();
-  Arrivals arrivals;
+  Arrivals arrivals(indexFolder);
+  if (Status s = arrivals.begin(); !s) return s.error();
   ReceiveEvents noted = events;
+  noted.wants = [&](const dicom::InstanceUids& uids) {
+    if (events.wants && !events.wants(uids)) return false;
+    arrivals.note(uids.study);
+    return true;
+  };
   noted.onStored = [&](const Received& one) {
-    arrivals.note(one.studyFolder);
+    arrivals.note(one.studyUid);
     if (events.onStored) events.onStored(one);
   };
   const auto add = [&](Clock::duration since) {
-    const auto folders = arrivals.take(since);
-    if (folders.empty()) return;
-    const auto imported = index->import(folders);
-    onImported(imported);
-    if (!imported)
-      for (const std::string& folder : folders) arrivals.note(folder);
+    if (const auto studies = arrivals.take(since); !studies.empty())
+      onImported(arrivals.import(*index, studies, {}));
   };
   // The index belongs to this thread, so another one listens.
   auto receiving = std::async(std::launch::async, [&] {

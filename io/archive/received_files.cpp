@@ -61,7 +61,7 @@ Filed ReceivedFiles::file(OutputFile& instance) {
     return refusedWith(worker::isReasonOfMachine(uids.message()) ? outOfResources : notUnderstood,
                        "an image cannot be read: " + uids.message());
   if (const std::string lack = lackOf(*uids); !lack.empty()) return refusedWith(lacksUids, lack);
-  if (wants_ && !wants_(uids->instance)) return refusedWith(notAuthorized, "an image was not asked for");
+  if (wants_ && !wants_(*uids)) return refusedWith(notAuthorized, "an image was not asked for");
   const std::string study = nameForUid(uids->study), series = nameForUid(uids->series);
   if (Status s = beginReceived(folder_, study, series); !s) return refusedWith(outOfResources, s.message());
   Filed filed;

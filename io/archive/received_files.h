@@ -29,7 +29,7 @@ inline constexpr unsigned outOfResources = 0xa700, lacksUids = 0xa900, notUnders
 class ReceivedFiles {
  public:
   /// `folder` must exist.
-  ReceivedFiles(std::string folder, std::function<bool(const std::string&)> wants)
+  ReceivedFiles(std::string folder, std::function<bool(const dicom::InstanceUids&)> wants)
       : folder_(std::move(folder)), wants_(std::move(wants)) {}
 
   /// Creates a file for the next instance, which has no place yet.
@@ -42,7 +42,7 @@ class ReceivedFiles {
   static Filed keep(OutputFile& instance, Filed filed);
 
   const std::string folder_;
-  const std::function<bool(const std::string&)> wants_;  // see ReceiveEvents
+  const std::function<bool(const dicom::InstanceUids&)> wants_;  // see ReceiveEvents
 };
 
 }  // namespace volumen

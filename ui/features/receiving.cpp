@@ -16,12 +16,14 @@ class Receiving : public Feature {
  private:
   void follow();
   void start();
+  void addArrived();
+  void announce();
   void refuse(const QString& sentence);
   void refuseForGood(const QString& sentence);
   void showAssociation(const ReceivedAssociation& one);
 
   QAction* action_;
-  JobLane lane_;
+  JobLane lane_, arrivedLane_;
 };
 
 // Returns "3 images from PACS".
@@ -45,6 +47,22 @@ Receiving::Receiving(Workbench& bench)
                                {{"fileMenu", 20, 10}}})) {
   whenChanged(session_, this, &Receiving::follow, &Preferences::receives);
   follow();
+  if (!lane_.isBusy()) addArrived();
+}
+
+// Takes studies into the study list that came before a program was killed.
+void Receiving::addArrived() {
+  arrivedLane_.run(
+      {},
+      [index = bench_.services.indexFolder](const Job& job) { return importArrived(index, job.cancel()); },
+      [this](const Result<ImportReport>& imported) {
+        if (!imported) return warn(QString::fromStdString(imported.message()));
+        if (imported->files > 0) announce();
+      });
+}
+
+void Receiving::announce() {
+  if (StudySource* source = bench_.document.sources.importer()) Q_EMIT source->changed();
 }
 
 void Receiving::follow() {
@@ -81,7 +99,7 @@ void Receiving::start() {
           const QString problem = imported ? QString() : QString::fromStdString(imported.message());
           lane_.tell([this, problem] {
             if (!problem.isEmpty()) warn(problem);
-            if (StudySource* source = bench_.document.sources.importer()) Q_EMIT source->changed();
+            announce();
           });
         };
         return receiveIntoIndex(listening, index, events, onImported, job.cancel());
