@@ -19,7 +19,8 @@ struct GrowingWindow : ArchivesWindow {
     QHeaderView* header = tree()->header();
     QTest::mouseClick(header->viewport(), Qt::LeftButton, {},
                       {header->sectionViewportPosition(0) + 10, header->height() / 2});
-    isReady = QTest::qWaitFor([&] { return patients().size() == 400; }, longest);
+    const auto isShown = [&] { return patients().size() == 400 && tree()->viewport()->height() > 100; };
+    isReady = QTest::qWaitFor(isShown, longest);
   }
   bool isSorted() {
     const QStringList names = patients();
@@ -53,6 +54,7 @@ void TestGrowingLists::rowsComeBeforeTheEnd() {
   QVERIFY(w.isReady && w.isSorted());
   QCOMPARE(w.notice(), QStringLiteral("Searching held: 400 studies so far."));
   w.click(w.row("P0450"));
+  w.shot("growing-list-in-browser");
   const int y = w.yOf("P0450");
   archive.sendRest();
   QTRY_COMPARE_WITH_TIMEOUT(w.patients().size(), qsizetype(600), longest);
