@@ -1,5 +1,7 @@
-// Fuzzes DICOM files: headers, volumes, frames, objects that refer to pictures, and lists of attributes.
+// Fuzzes DICOM files: headers, volumes, frames, objects that refer to pictures, lists of attributes, and
+// copies without identity.
 #include "io/contours.h"
+#include "io/deidentify/deidentify_file.h"
 #include "io/dicom/attribute_list.h"
 #include "io/frames.h"
 #include "io/load.h"
@@ -39,6 +41,16 @@ void readObject(const DerivedObject& object) {
   }
 }
 
+// A copy can be read, and de-identified again.
+void readWithoutIdentity(const std::string& path) {
+  const std::string copy = path + ".copy", key = "0123456789abcdef";
+  const auto file = deidentifiedFile(path, {.shiftDays = 3}, key, {});
+  if (!file) return;
+  if (!writeDeidentified(*file, path, copy) || !isWrittenAt(*file, path, copy)) std::abort();
+  if (!deidentifiedFile(copy, {}, key, {})) std::abort();
+  std::remove(copy.c_str());
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t size) {
@@ -50,5 +62,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* bytes, std::size_t siz
   for (const Image& image : study->images) readFrames(image);
   for (const DerivedObject& object : study->derived) readObject(object);
   (void)dicom::listAttributes(path);
+  readWithoutIdentity(path);
   return 0;
 }

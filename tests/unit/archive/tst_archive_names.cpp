@@ -68,7 +68,7 @@ void TestArchiveNames::aFileIsNotReplaced() {
 
 void TestArchiveNames::aFetchLeavesWhatAnotherProgramFetched() {
   const QTemporaryDir folder;
-  InstanceFolder files(folder.path().toStdString(), "1.2", "1.2.1", 10);
+  InstanceFolder files("main", folder.path().toStdString(), "1.2", "1.2.1", 10);
   const auto path = files.begin();
   QVERIFY(path);
   putText(QString::fromStdString(*path), "ours");
