@@ -39,8 +39,9 @@ std::string jsonLine(const Received& one) {
 ReceiveEvents eventsFor(const Listening& listening, bool json) {
   ReceiveEvents events;
   events.onListening = [&listening] {
-    std::cerr << "Listening at " << listening.address << ':' << listening.port << " as " << listening.ae
-              << ". Ctrl-C ends.\n";
+    const bool isIpv6 = listening.address.find(':') != std::string::npos;
+    std::cerr << "Listening at " << (isIpv6 ? "[" + listening.address + "]" : listening.address) << ':'
+              << listening.port << " as " << listening.ae << ". Ctrl-C ends.\n";
   };
   events.onStored = [json](const Received& one) {
     if (json) std::cout << jsonLine(one) << std::endl;

@@ -40,9 +40,10 @@ bool isUrl(const std::string& text) {
          url.userInfo().isEmpty() && !url.hasQuery() && !url.hasFragment();
 }
 
-bool isIpv4(const std::string& address) {
-  in_addr parsed{};
-  return inet_pton(AF_INET, address.c_str(), &parsed) == 1;
+bool isIpAddress(const std::string& address) {
+  in6_addr parsed{};  // has room for both
+  return inet_pton(AF_INET, address.c_str(), &parsed) == 1 ||
+         inet_pton(AF_INET6, address.c_str(), &parsed) == 1;
 }
 
 }  // namespace
@@ -101,14 +102,17 @@ static void fields(Fields& f, Listening& listen) {
   aeTitle(f, "ae", listen.ae);
   f("port", listen.port, {1, 65535});
   f("address", listen.address);
-  f.require("address", isIpv4(listen.address),
-            "must be an IPv4 address of this machine, or 0.0.0.0 for all of them");
+  f.require("address", isIpAddress(listen.address),
+            "must be an IP address of this machine, or 0.0.0.0 or :: for all of them");
   f.texts("peers", listen.peers, mostPeers, "must be a list of up to 1000 AE titles");
   for (std::size_t n = 0; n < listen.peers.size(); ++n)
     if (const std::string problem = problemOfAeTitle(listen.peers[n]); !problem.empty())
       f.refuse(f.pathOf("peers", n), problem);
   f("mostAssociations", listen.mostAssociations, {1, 1000});
   f("mostMegabytes", listen.mostMegabytes, {1, 1'000'000});
+  f.unlessNone("tls", listen.tls);
+  f.require("tls", !listen.tls || (!listen.tls->certificate.empty() && listen.tls->pin.empty()),
+            "must name our \"certificate\" and its \"key\", and may name the \"ca\" of peers");
 }
 
 static void fields(Fields& f, Archives& all) {

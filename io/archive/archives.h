@@ -24,10 +24,11 @@ struct TlsSettings {
 struct Listening {
   std::string ae = "VOLUMEN";  ///< our AE title; associations that call another one are rejected
   int port = 11112;
-  std::string address = "127.0.0.1";  ///< IPv4 address of this machine; 0.0.0.0: all of them
+  std::string address = "127.0.0.1";  ///< of this machine, IPv4 or IPv6; 0.0.0.0: all of IPv4; ::: all
   std::vector<std::string> peers;     ///< AE titles that may send; empty: everyone
   int mostAssociations = 16;          ///< open at once
   int mostMegabytes = 4096;           ///< largest instance, millions of bytes
+  std::optional<TlsSettings> tls{};   ///< peers must encrypt; with `ca`, they must show a certificate of it
   bool operator==(const Listening&) const = default;
 };
 

@@ -7,7 +7,6 @@
 #include <dcmtk/dcmnet/cond.h>
 #include <dcmtk/dcmnet/dimse.h>
 #include <dcmtk/dcmnet/dul.h>
-#include <dcmtk/dcmtls/tlslayer.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -15,6 +14,7 @@
 
 #include "io/archive/association_private.h"
 #include "io/archive/stored_syntaxes.h"
+#include "io/archive/tls_layer.h"
 
 namespace volumen {
 
@@ -82,25 +82,6 @@ std::string whyRejected(const T_ASC_RejectParameters& rejected, const Archive& a
   }
 }
 
-Status withTls(const TlsSettings& tls, DcmTLSTransportLayer& layer) {
-  layer.setTLSProfile(TSP_Profile_BCP195);
-  layer.activateCipherSuites();
-  if (!tls.certificate.empty()) {
-    layer.setPrivateKeyPasswd("");  // a key that needs one is refused: nobody is asked for it
-    if (layer.setPrivateKeyFile(tls.key.c_str(), DCF_Filetype_PEM).bad())
-      return Error{tls.key + " is no private key that can be read."};
-    if (layer.setCertificateFile(tls.certificate.c_str(), DCF_Filetype_PEM).bad())
-      return Error{tls.certificate + " is no certificate that can be read."};
-    if (!layer.checkPrivateKeyMatchesCertificate())
-      return Error{tls.key + " is not the key of " + tls.certificate + "."};
-  }
-  if (!tls.ca.empty() && layer.addTrustedCertificateFile(tls.ca.c_str(), DCF_Filetype_PEM).bad())
-    return Error{tls.ca + " holds no certificate that can be read."};
-  // The pin says more than authorities do.
-  layer.setCertificateVerification(tls.ca.empty() ? DCV_ignoreCertificate : DCV_requireCertificate);
-  return {};
-}
-
 }  // namespace
 
 std::string statusText(unsigned status) {
@@ -133,8 +114,9 @@ Association::Private::~Private() {
 
 Status Association::Private::prepare() {
   if (archive.tls) {
-    tls = std::make_unique<DcmTLSTransportLayer>(NET_REQUESTOR, nullptr, OFTrue);
-    if (Status s = withTls(*archive.tls, *tls); !s) return s;
+    auto layer = tlsLayer(*archive.tls, NET_REQUESTOR);
+    if (!layer) return layer.error();
+    tls = std::move(*layer);
   }
   transport = std::make_unique<WatchedTransport>(tls ? *tls : plain, watch);
   dcmConnectionTimeout.set(connectSeconds);

@@ -53,10 +53,8 @@ class Retrieval {
     for (;;) {
       T_ASC_PresentationContextID context = 0;
       T_DIMSE_Message message{};
-      DcmDataset* detail = nullptr;
       watch_.allow(mostBytesOfCommand, std::chrono::hours(24));
-      OFCondition done = DIMSE_receiveCommand(association_, DIMSE_BLOCKING, 0, &context, &message, &detail);
-      delete detail;
+      OFCondition done = receiveCommand(association_, context, message);
       if (done.bad()) return done;
       if (sink_ && message.CommandField == DIMSE_C_STORE_RQ) {
         done = store(context, message.msg.CStoreRQ);

@@ -2,15 +2,18 @@
 #include "io/archive/incoming_association.h"
 
 #include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcuid.h>
 #include <dcmtk/dcmnet/assoc.h>
 #include <dcmtk/dcmnet/cond.h>
 #include <dcmtk/dcmnet/dimse.h>
 #include <dcmtk/dcmnet/dul.h>
+#include <dcmtk/dcmtls/tlslayer.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <mutex>
+#include <string_view>
 
 #include "io/archive/association_private.h"
 #include "io/archive/offered_contexts.h"
@@ -21,6 +24,7 @@ namespace volumen {
 
 namespace {
 
+constexpr unsigned noSuchClass = 0x0122;  // status (PS3.7 C.5.6)
 constexpr int requestSeconds = 3, idleSeconds = 30;
 constexpr std::chrono::seconds mostTimeOfRequest{10}, mostTimeOfFarewell{2};
 constexpr std::chrono::hours mostTimeOfInstance{1};
@@ -82,7 +86,8 @@ class Incoming {
   }
 
   std::optional<ReceivedAssociation> serve(int socket) {
-    if (!receiveRequest(socket)) return {};
+    if (!receiveRequest(socket))
+      return report_.problem.empty() ? std::nullopt : std::optional<ReceivedAssociation>(report_);
     if (const std::optional<Rejection> rejection = whyRejected()) {
       report_.problem = rejection->problem;
       ASC_rejectAssociation(association_, &rejection->answer);
@@ -105,13 +110,22 @@ class Incoming {
     OFCondition done = ASC_initializeNetwork(NET_ACCEPTOR, 0, requestSeconds, &network_);
     if (done.good()) done = ASC_setTransportLayer(network_, &transport_, 0);
     if (done.good())
-      done = ASC_receiveAssociation(network_, &association_, ASC_DEFAULTMAXPDU, nullptr, nullptr, OFFalse,
-                                    DUL_BLOCK);
+      done = ASC_receiveAssociation(network_, &association_, ASC_DEFAULTMAXPDU, nullptr, nullptr,
+                                    reception_.tls != nullptr, DUL_BLOCK);
     if (transport_.finish()) ::close(socket);
+    if (done.module() == OFM_dcmtls) return failTls();
     // DCMTK takes it for no error if the peer closes the connection first. Only a request has contexts.
     if (done.bad() || !association_->params->DULparams.requestedPresentationContext) return false;
     report_.callingAe = withoutPadding(association_->params->DULparams.callingAPTitle);
     return true;
+  }
+
+  bool failTls() {
+    const std::string& ca = reception_.listening.tls->ca;
+    report_.callingAe = "A peer";
+    report_.problem = "was cut off: it does not agree on TLS" +
+                      (ca.empty() ? "" : ", or has no certificate that " + ca + " vouches for");
+    return false;
   }
 
   std::optional<Rejection> whyRejected() {
@@ -127,6 +141,11 @@ class Incoming {
       return Rejection{
           {ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER, ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED},
           "was rejected: it calls \"" + called + "\", not \"" + listening.ae + "\""};
+    if (withoutPadding(association_->params->DULparams.applicationContextName) !=
+        UID_StandardApplicationContext)
+      return Rejection{
+          {ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER, ASC_REASON_SU_APPCONTEXTNAMENOTSUPPORTED},
+          "was rejected: its application context is not DICOM's"};
     const auto isPeer = [&](const std::string& peer) { return withoutPadding(peer) == report_.callingAe; };
     if (!listening.peers.empty() && std::ranges::none_of(listening.peers, isPeer))
       return Rejection{
@@ -139,13 +158,11 @@ class Incoming {
   OFCondition answerNext() {
     T_ASC_PresentationContextID context = 0;
     T_DIMSE_Message message{};
-    DcmDataset* detail = nullptr;
     watch_.allow(mostBytesOfCommand, watch_.silence);
-    const OFCondition done =
-        DIMSE_receiveCommand(association_, DIMSE_BLOCKING, 0, &context, &message, &detail);
-    delete detail;
+    const OFCondition done = receiveCommand(association_, context, message);
     if (done.bad()) return done;
     if (message.CommandField == DIMSE_C_STORE_RQ) return store(context, message.msg.CStoreRQ);
+    if (message.CommandField == DIMSE_C_CANCEL_RQ) return done;  // too late: each request is answered at once
     if (message.CommandField != DIMSE_C_ECHO_RQ)
       return makeOFCondition(OFM_dcmnet, DIMSEC_UNEXPECTEDREQUEST, OF_error,
                              "asks for a service that volumen does not offer");
@@ -175,6 +192,11 @@ class Incoming {
       filed.problem = instance ? "a request has no image" : instance.message();
       return skipDataSet(association_, request.DataSetType);
     }
+    if (isVerification(context)) {
+      filed.status = noSuchClass;
+      filed.problem = "an image comes where only verification was agreed on";
+      return skipDataSet(association_, request.DataSetType);
+    }
     bool isWritten = false;
     const OFCondition done = receiveDataSet(association_, context, request, instance->asidePath(), isWritten);
     if (done.bad()) return done;
@@ -185,6 +207,12 @@ class Incoming {
       filed.problem = "an image cannot be written: the disk may be full";
     }
     return done;
+  }
+
+  bool isVerification(T_ASC_PresentationContextID context) const {
+    T_ASC_PresentationContext found;
+    return ASC_findAcceptedPresentationContext(association_->params, context, &found).good() &&
+           std::string_view(found.abstractSyntax) == UID_VerificationSOPClass;
   }
 
   void note(const Filed& filed) {
@@ -240,7 +268,7 @@ class Incoming {
   ReceivedAssociation report_;
   Watch watch_;
   DcmTransportLayer plain_;
-  HandedOver transport_{plain_, watch_};
+  HandedOver transport_{reception_.tls ? *reception_.tls : plain_, watch_};
   T_ASC_Network* network_ = nullptr;
   T_ASC_Association* association_ = nullptr;
   bool isCounted_ = false, isInInstance_ = false;

@@ -34,10 +34,10 @@ void acceptContexts(T_ASC_Parameters& parameters) {
   const int count = ASC_countPresentationContexts(&parameters);
   for (int n = 0; n < count; ++n) {
     T_ASC_PresentationContext context;
-    if (ASC_getPresentationContext(&parameters, n, &context).bad()) continue;
+    // Of more than 50 transfer syntaxes it returns the first 50, and an error.
+    ASC_getPresentationContext(&parameters, n, &context);
     const std::string sopClass = context.abstractSyntax;
-    const std::string syntax =
-        preferred({context.proposedTransferSyntaxes, std::size_t(context.transferSyntaxCount)});
+    const std::string syntax = preferred(context.proposedTransferSyntaxes);
     if (sopClass != UID_VerificationSOPClass && !isStorageClass(sopClass))
       ASC_refusePresentationContext(&parameters, context.presentationContextID,
                                     ASC_P_ABSTRACTSYNTAXNOTSUPPORTED);

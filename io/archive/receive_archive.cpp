@@ -1,9 +1,8 @@
 #include "io/archive/receive_archive.h"
 
-#include <arpa/inet.h>
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmnet/dul.h>
-#include <netinet/in.h>
+#include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <sys/time.h>
@@ -12,13 +11,16 @@
 #include <cerrno>
 #include <cstring>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <new>
+#include <string_view>
 #include <system_error>
 #include <thread>
 
 #include "io/archive/incoming_association.h"
 #include "io/archive/network_use.h"
+#include "io/archive/tls_layer.h"
 #include "io/files/private_folder.h"
 
 namespace volumen {
@@ -39,8 +41,19 @@ Error cannotListen(const Listening& listening, int error) {
     return {port + " needs rights that this program does not have: choose a \"port\" from 1024 on."};
   if (error == EADDRNOTAVAIL)
     return {listening.address +
-            " is no address of this machine: correct \"address\" (0.0.0.0: all of its addresses)."};
+            " is no address of this machine: correct \"address\" (0.0.0.0 or ::: all of its addresses)."};
   return {port + " of " + listening.address + " cannot be listened at: " + std::strerror(error) + "."};
+}
+
+// A peer that reaches an IPv6 socket by IPv4 has an address such as "::ffff:10.0.0.7".
+std::string addressText(const sockaddr_storage& from, socklen_t size) {
+  constexpr std::string_view mapped = "::ffff:";
+  char text[NI_MAXHOST] = "";
+  ::getnameinfo(reinterpret_cast<const sockaddr*>(&from), size, text, sizeof text, nullptr, 0,
+                NI_NUMERICHOST);
+  const std::string address = text;
+  const bool isMapped = address.starts_with(mapped) && address.find('.') != std::string::npos;
+  return isMapped ? address.substr(mapped.size()) : address;
 }
 
 class Listener {
@@ -49,7 +62,7 @@ class Listener {
            const CancelToken& cancel)
       : events_(events),
         reception_{listening, cancel, [this](const Received& one) { onStored(one); },
-                   ReceivedFiles(folder, events.wants)} {}
+                   ReceivedFiles(folder, events.wants), nullptr} {}
   ~Listener() {
     if (socket_ >= 0) ::close(socket_);
   }
@@ -58,17 +71,25 @@ class Listener {
 
   Status open() {
     const Listening& listening = reception_.listening;
-    sockaddr_in at{};
-    at.sin_family = AF_INET;
-    at.sin_port = htons(std::uint16_t(listening.port));
-    inet_pton(AF_INET, listening.address.c_str(), &at.sin_addr);
+    if (listening.tls) {
+      auto layer = tlsLayer(*listening.tls, NET_ACCEPTOR);
+      if (!layer) return layer.error();
+      tls_ = std::move(*layer);
+      reception_.tls = tls_.get();
+    }
+    addrinfo hints{}, *at = nullptr;
+    hints.ai_flags = AI_NUMERICHOST | AI_NUMERICSERV | AI_PASSIVE;
+    hints.ai_socktype = SOCK_STREAM;
+    if (::getaddrinfo(listening.address.c_str(), std::to_string(listening.port).c_str(), &hints, &at) != 0)
+      return cannotListen(listening, EADDRNOTAVAIL);
     const int yes = 1;
-    socket_ = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
-    const bool isOpen = socket_ >= 0 &&
-                        ::setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
-                        ::bind(socket_, reinterpret_cast<const sockaddr*>(&at), sizeof at) == 0 &&
-                        ::listen(socket_, mostWaiting) == 0;
-    return isOpen ? Status() : cannotListen(listening, errno);
+    socket_ = ::socket(at->ai_family, SOCK_STREAM | SOCK_CLOEXEC | SOCK_NONBLOCK, 0);
+    const bool isOpen =
+        socket_ >= 0 && ::setsockopt(socket_, SOL_SOCKET, SO_REUSEADDR, &yes, sizeof yes) == 0 &&
+        ::bind(socket_, at->ai_addr, at->ai_addrlen) == 0 && ::listen(socket_, mostWaiting) == 0;
+    const int error = errno;
+    ::freeaddrinfo(at);
+    return isOpen ? Status() : cannotListen(listening, error);
   }
 
   ReceiveReport run() {
@@ -92,7 +113,7 @@ class Listener {
   // Each connection has a thread of its own from here on. DCMTK alone would read the peer's request in the
   // thread that accepts connections: a peer that says nothing would keep all others waiting.
   void accept() {
-    sockaddr_in from{};
+    sockaddr_storage from{};
     socklen_t size = sizeof from;
     const int socket = ::accept4(socket_, reinterpret_cast<sockaddr*>(&from), &size, SOCK_CLOEXEC);
     if (socket < 0) {
@@ -103,11 +124,9 @@ class Listener {
     }
     const timeval limit{2, 0};  // for a peer that does not read our answers
     ::setsockopt(socket, SOL_SOCKET, SO_SNDTIMEO, &limit, sizeof limit);
-    char address[INET_ADDRSTRLEN] = "";
-    inet_ntop(AF_INET, &from.sin_addr, address, sizeof address);
     Connection& one = connections_.emplace_back();
     try {
-      one.thread = std::thread([this, &one, socket, peer = std::string(address)] {
+      one.thread = std::thread([this, &one, socket, peer = addressText(from, size)] {
         serve(socket, peer);
         one.hasEnded = true;
       });
@@ -147,6 +166,7 @@ class Listener {
   }
 
   const ReceiveEvents& events_;
+  std::unique_ptr<DcmTLSTransportLayer> tls_;
   Reception reception_;
   int socket_ = -1;
   std::list<Connection> connections_;

@@ -1,8 +1,10 @@
 #include "io/archive/receive_data_set.h"
 
+#include <dcmtk/dcmdata/dcdatset.h>
 #include <dcmtk/dcmdata/dcostrma.h>
 #include <dcmtk/dcmdata/dcostrmf.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
@@ -38,6 +40,19 @@ class TakingStream : public DcmOutputStream {
 };
 
 }  // namespace
+
+OFCondition receiveCommand(T_ASC_Association* association, T_ASC_PresentationContextID& context,
+                           T_DIMSE_Message& message) {
+  DcmDataset* detail = nullptr;
+  const OFCondition done = DIMSE_receiveCommand(association, DIMSE_BLOCKING, 0, &context, &message, &detail);
+  delete detail;
+  // DCMTK leaves this list to its callers; here nobody answers N-GET.
+  if (done.good() && message.CommandField == DIMSE_N_GET_RQ) {
+    std::free(message.msg.NGetRQ.AttributeIdentifierList);
+    message.msg.NGetRQ.AttributeIdentifierList = nullptr;
+  }
+  return done;
+}
 
 OFCondition receiveDataSet(T_ASC_Association* association, T_ASC_PresentationContextID context,
                            const T_DIMSE_C_StoreRQ& request, const std::string& path, bool& isWritten) {

@@ -7,6 +7,10 @@
 
 namespace volumen {
 
+/// Receives a command (PS3.7 6.3) and the presentation context in which it comes.
+OFCondition receiveCommand(T_ASC_Association* association, T_ASC_PresentationContextID& context,
+                           T_DIMSE_Message& message);
+
 /// Receives the data set of a C-STORE request into a file, after file meta information (PS3.10 7.1), with the
 /// bytes that the peer sends. Sets `isWritten` to whether all of them are in the file; a full disk is no
 /// error of the association. The condition says whether the association can go on.

@@ -8,14 +8,25 @@
 
 #include <QByteArray>
 #include <QCryptographicHash>
+#include <QtEndian>
 #include <algorithm>
 #include <cerrno>
+#include <condition_variable>
+#include <cstring>
+#include <functional>
 #include <memory>
+#include <mutex>
+#include <thread>
+#include <utility>
 #include <vector>
+
+#include "io/archive/association_pdu.h"
 
 namespace volumen {
 
 namespace {
+
+constexpr int watchGlanceMs = 50;  // between looks at the watch
 
 class WatchedConnection : public DcmTransportConnection {
  public:
@@ -23,39 +34,39 @@ class WatchedConnection : public DcmTransportConnection {
       : DcmTransportConnection(socket), inner_(std::move(inner)), watch_(watch) {}
 
   ssize_t read(void* to, size_t count) override {
-    if (!wait(POLLIN, watch_.silence)) return ended();
-    const ssize_t some = inner_->read(to, count);
-    if (some > 0 && std::uint64_t(some) > watch_.bytesLeft) {
-      watch_.sentTooMuch = true;
-      return ended();
-    }
-    if (some > 0) watch_.bytesLeft -= std::uint64_t(some);
-    return some;
+    if (isBroken_) return ended();
+    if (!std::exchange(hasFirst_, true) && !takeFirst()) return ended();
+    if (given_ == first_.size()) return receive(to, count);
+    const std::size_t some = std::min(count, first_.size() - given_);
+    std::memcpy(to, first_.data() + given_, some);
+    given_ += some;
+    return ssize_t(some);
   }
   ssize_t write(void* from, size_t count) override {
     // DCMTK sets its own choice after connecting.
     const int yes = 1;
-    if (!sent_) setsockopt(getSocket(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
-    sent_ = true;
-    return wait(POLLOUT, watch_.silence) ? inner_->write(from, count) : ended();
+    const bool isFirst = !std::exchange(sent_, true);
+    if (isFirst) setsockopt(getSocket(), IPPROTO_TCP, TCP_NODELAY, &yes, sizeof yes);
+    const ssize_t some = wait(POLLOUT, watch_.silence) ? inner_->write(from, count) : ended();
+    if (!isFirst || some == ssize_t(count)) return some;
+    // DCMTK would keep the memory of this PDU. The next read fails instead.
+    isBroken_ = true;
+    return ssize_t(count);
   }
   OFBool networkDataAvailable(int timeout) override {
-    return wait(POLLIN, std::min(std::chrono::seconds(timeout), watch_.silence));
+    return given_ < first_.size() || wait(POLLIN, std::min(std::chrono::seconds(timeout), watch_.silence));
   }
   OFCondition clientSideHandshake() override {
-    // OpenSSL reads the socket itself.
-    const timeval limit{watch_.silence.count(), 0};
-    setsockopt(getSocket(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
-    const auto begin = Watch::Clock::now();
-    OFCondition done = inner_->clientSideHandshake();
-    if (done.bad() && Watch::Clock::now() - begin >= watch_.silence) watch_.wasSilent = true;
+    OFCondition done = handshake([this] { return inner_->clientSideHandshake(); });
     if (done.bad() || watch_.pin.empty()) return done;
     const QByteArray certificate = peerCertificateHash();
     if (certificate == QByteArray::fromHex(QByteArray::fromStdString(watch_.pin))) return done;
     watch_.otherCertificate = certificate.toHex().toStdString();
     return makeOFCondition(0, 1, OF_error, "another certificate than the pinned one");
   }
-  OFCondition serverSideHandshake() override { return inner_->serverSideHandshake(); }
+  OFCondition serverSideHandshake() override {
+    return handshake([this] { return inner_->serverSideHandshake(); });
+  }
   OFCondition renegotiate(const char* suite) override { return inner_->renegotiate(suite); }
   void close() override { inner_->close(); }
   void closeTransportConnection() override { inner_->closeTransportConnection(); }
@@ -82,12 +93,75 @@ class WatchedConnection : public DcmTransportConnection {
       const auto left =
           std::chrono::duration_cast<std::chrono::milliseconds>(end - Watch::Clock::now()).count();
       if (left <= 0) break;
-      const int some = poll(&ready, 1, int(std::min<long long>(left, 50)));
+      const int some = poll(&ready, 1, int(std::min<long long>(left, watchGlanceMs)));
       if (some > 0) return true;
       if (some < 0 && errno != EINTR) return false;
     }
     watch_.wasSilent = watch_.wasSilent || most == watch_.silence || Watch::Clock::now() >= watch_.end;
     return false;
+  }
+
+  ssize_t receive(void* to, size_t count) {
+    ssize_t some = -1;
+    do {
+      if (!wait(POLLIN, watch_.silence)) return ended();
+      errno = 0;
+      some = inner_->read(to, count);
+    } while (some < 0 && errno == EAGAIN);  // a part of what TLS decrypts as one
+    if (some > 0 && std::uint64_t(some) > watch_.bytesLeft) {
+      watch_.sentTooMuch = true;
+      return ended();
+    }
+    if (some > 0) watch_.bytesLeft -= std::uint64_t(some);
+    return some;
+  }
+
+  // OpenSSL reads the socket itself: another thread closes it when the time for the handshake is over.
+  OFCondition handshake(const std::function<OFCondition()>& shake) {
+    if (inner_->isTransparentConnection()) return shake();
+    std::mutex mutex;
+    std::condition_variable_any ended;
+    std::jthread guard([&, end = Watch::Clock::now() + watch_.silence](const std::stop_token& done) {
+      std::unique_lock lock(mutex);
+      while (!done.stop_requested()) {
+        watch_.wasSilent = Watch::Clock::now() >= end;
+        if (watch_.wasSilent || watch_.cancel.cancelled()) {
+          ::shutdown(getSocket(), SHUT_RDWR);
+          return;
+        }
+        ended.wait_for(lock, done, std::chrono::milliseconds(watchGlanceMs), [] { return false; });
+      }
+    });
+    const OFCondition done = shake();
+    guard.request_stop();
+    guard.join();
+    // From now on it waits no longer than we do.
+    const timeval limit{0, watchGlanceMs * 1000};
+    ::setsockopt(getSocket(), SOL_SOCKET, SO_RCVTIMEO, &limit, sizeof limit);
+    return done;
+  }
+
+  // Receives the first PDU (PS3.8 9.3), which negotiates the association. Returns whether DCMTK may read it.
+  bool takeFirst() {
+    constexpr std::size_t head = 6, lengthAt = 2;
+    if (!receiveFirst(head)) return true;
+    if (first_[0] != request && first_[0] != acceptance) return true;
+    const std::uint32_t length = qFromBigEndian<std::uint32_t>(first_.data() + lengthAt);
+    watch_.sentTooMuch = length > watch_.bytesLeft;
+    return !watch_.sentTooMuch && receiveFirst(length) && isWellFormedAssociation(first_);
+  }
+
+  // Appends so many bytes to the first PDU. Returns false if fewer come.
+  bool receiveFirst(std::size_t count) {
+    const std::size_t end = first_.size() + count;
+    while (first_.size() < end) {
+      const std::size_t at = first_.size();
+      first_.resize(end);
+      const ssize_t some = receive(first_.data() + at, end - at);
+      first_.resize(at + std::size_t(std::max<ssize_t>(some, 0)));
+      if (some <= 0) return false;
+    }
+    return true;
   }
 
   static ssize_t ended() {
@@ -103,9 +177,13 @@ class WatchedConnection : public DcmTransportConnection {
                                     QCryptographicHash::Sha256);
   }
 
+  static constexpr std::uint8_t request = 1, acceptance = 2;  // types of PDUs
+
   const std::unique_ptr<DcmTransportConnection> inner_;
   Watch& watch_;
-  bool sent_ = false;
+  std::vector<std::uint8_t> first_;
+  std::size_t given_ = 0;  // bytes of the first PDU that DCMTK has read
+  bool hasFirst_ = false, sent_ = false, isBroken_ = false;
 };
 
 }  // namespace

@@ -35,8 +35,8 @@ struct Watch {
   std::string otherCertificate;  ///< SHA-256 of one that differs from the pin
 };
 
-/// Makes connections of `inner` that obey a watch, and that send each message at once (no Nagle algorithm:
-/// with it every instance takes 45 ms).
+/// Makes connections of `inner` that obey a watch, that end where the first PDU is not well-formed, and that
+/// send each message at once (no Nagle algorithm: with it every instance takes 45 ms).
 class WatchedTransport : public DcmTransportLayer {
  public:
   /// `inner` and `watch` must outlive the object.

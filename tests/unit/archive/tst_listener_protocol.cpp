@@ -1,0 +1,146 @@
+// Guards how the listener answers peers that use the protocol in rare or forbidden ways (PS3.7, PS3.8).
+#include <QTcpSocket>
+
+#include "tests/unit/archive/dicom_pdus.h"
+#include "tests/unit/archive/listener_process.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+class TestListenerProtocol : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase();
+  void requestsAreAnswered_data();
+  void requestsAreAnswered();
+  void contextsAreAnsweredEach();
+
+ private:
+  ListenerProcess listener_;
+};
+
+namespace {
+
+// Returns what the listener sends until it ends the association or the connection.
+QByteArray answersTo(const ListenerProcess& listener, const QByteArray& bytes) {
+  constexpr int lengthOfEnd = 10, rejection = 3, releaseAnswer = 6, abortion = 7;
+  const auto peer = listener.connection(bytes);
+  QByteArray answers = peer->readAll();
+  const auto isEnded = [&] {
+    const QByteArray last = answers.right(lengthOfEnd);
+    const bool isEnd =
+        last.startsWith(rejection) || last.startsWith(releaseAnswer) || last.startsWith(abortion);
+    return isEnd && last.mid(1, 5) == QByteArray("\0\0\0\0\4", 5);
+  };
+  while (!isEnded() && peer->waitForReadyRead(15000)) answers += peer->readAll();
+  return peer->error() == QAbstractSocket::SocketTimeoutError ? "it is still open" : answers;
+}
+
+// Returns the types of PDUs, and the statuses of answers in them: "accept 0000 released".
+QByteArray named(const QByteArray& answers) {
+  constexpr int head = 6, acceptance = 2, rejection = 3, data = 4, releaseAnswer = 6, abortion = 7;
+  const auto number = [&](qsizetype at, int count) {
+    qsizetype value = 0;
+    for (int n = 0; n < count; ++n) value = value << 8 | uchar(answers.at(at + n));
+    return value;
+  };
+  QByteArrayList names;
+  for (qsizetype at = 0; at + head <= answers.size(); at += head + number(at + 2, 4)) {
+    const int type = answers.at(at);
+    if (type == acceptance) names << "accepted";
+    if (type == rejection) names << "rejected " + answers.mid(at + head + 1, 3).toHex();
+    if (type == releaseAnswer) names << "released";
+    if (type == abortion) names << "aborted";
+    const QByteArray value = answers.mid(at, head + number(at + 2, 4));
+    const qsizetype status = value.indexOf(QByteArray("\0\0\0\x09\2\0\0\0", 8));
+    if (type == data && status > 0)
+      names << QByteArray(1, value.at(status + 9)).toHex() + QByteArray(1, value.at(status + 8)).toHex();
+  }
+  return names.join(' ');
+}
+
+}  // namespace
+
+void TestListenerProtocol::initTestCase() { QVERIFY(listener_.start()); }
+
+void TestListenerProtocol::requestsAreAnswered_data() {
+  using namespace volumen::tests::pdu;
+  QTest::addColumn<QByteArray>("bytes");
+  QTest::addColumn<QByteArray>("answers");
+  const auto row = [](const char* name, const QByteArray& bytes, const char* answers) {
+    QTest::newRow(name) << bytes << QByteArray(answers);
+  };
+  const auto asked = [&](const char* name, const Request& request, const char* answers) {
+    row(name, associate(request) + echo() + release(), answers);
+  };
+  const QByteArray open = associate();
+  const QByteArray uids = element(0x0003, "1.2.840.10008.1.20.1") + element(0x1001, "1.2.3");
+  const auto normalized = [&](int field, const QByteArray& more) {
+    return command(1, uids + element(0x0100, field) + element(0x0110, 1) + element(0x0800, 0x0101) + more);
+  };
+  row("a test between images", open + echo() + store() + echo() + store() + echo() + release(),
+      "accepted 0000 0000 0000 0000 0000 released");
+  row("a cancellation of nothing",
+      open + command(1, element(0x0100, 0x0fff) + element(0x0120, 1) + element(0x0800, 0x0101)) + echo() +
+          release(),
+      "accepted 0000 released");
+  row("an image where only verification was agreed on", open + store(1) + echo() + release(),
+      "accepted 0122 0000 released");
+  row("an image in a context that was not agreed on", open + store(5), "accepted aborted");
+  row("N-GET", open + normalized(0x0110, element(0x1005, QByteArray(4000, '\1'))), "accepted aborted");
+  row("N-ACTION, storage commitment", open + normalized(0x0130, element(0x1008, 1)), "accepted aborted");
+  row("N-CREATE", open + normalized(0x0140, {}), "accepted aborted");
+  row("an answer to nothing",
+      open + command(1, element(0x0100, 0x8001) + element(0x0120, 1) + element(0x0800, 0x0101) +
+                            element(0x0900, 0)),
+      "accepted aborted");
+  row("a second request for an association", open + open, "accepted aborted");
+  asked("the peer takes PDUs of any length", {.mostBytes = 0}, "accepted 0000 released");
+  asked("the peer takes PDUs of a byte", {.mostBytes = 1}, "accepted aborted");
+  asked("another AE title", {.called = "NOBODY"}, "rejected 010107");
+  asked("another application context", {.name = item(0x10, "1.2.3")}, "rejected 010102");
+  asked("no application context", {.name = {}}, "");
+  asked("a blank AE title of the peer", {.calling = " "}, "");
+  asked("an item that is longer than its PDU", {.name = QByteArray("\x10\0\x7f\xff", 4) + "1.2"}, "");
+  asked("one context twice", {.contexts = context(1, "1.2.840.10008.1.1").repeated(2)}, "");
+  asked("a context without transfer syntax", {.contexts = context(1, "1.2.840.10008.1.1", {})}, "");
+  asked("roles, a user, an asynchronous window",
+        {.more = item(0x53, twoBytes(5) + twoBytes(5)) +
+                 item(0x54, twoBytes(17) + "1.2.840.10008.1.1" + QByteArray("\1\1", 2)) +
+                 item(0x55, "SCANNER 1") +
+                 item(0x58, QByteArray("\2\1", 2) + twoBytes(4) + "user" + twoBytes(4) + "word") +
+                 item(0x57, twoBytes(3) + "1.2" + twoBytes(0))},
+        "accepted 0000 released");
+  asked("a user with a second field that it must not have",
+        {.more = item(0x58, QByteArray("\1\0", 2) + twoBytes(1) + "a" + twoBytes(1) + "b")}, "");
+  asked("two users",
+        {.more = item(0x58, QByteArray("\1\0", 2) + twoBytes(1) + "a" + twoBytes(0)).repeated(2)}, "");
+}
+
+void TestListenerProtocol::requestsAreAnswered() {
+  QFETCH(QByteArray, bytes);
+  QFETCH(QByteArray, answers);
+  QCOMPARE(named(answersTo(listener_, bytes)), answers);
+  // Whatever the peer was, the next one is answered.
+  QCOMPARE(named(answersTo(listener_, pdu::associate() + pdu::echo() + pdu::release())),
+           QByteArray("accepted 0000 released"));
+}
+
+void TestListenerProtocol::contextsAreAnsweredEach() {
+  QByteArray contexts;
+  QList<QByteArray> many;
+  for (int n = 0; n < 60; ++n) many << "1.2.3." + QByteArray::number(n);
+  for (int id = 1; id < 256; id += 2)
+    contexts += pdu::context(id, id % 4 == 1 ? "1.2.840.10008.1.1" : "1.2.840.10008.5.1.4.1.2.2.1",
+                             id == 5 ? many : QList<QByteArray>{"1.2.840.10008.1.2"});
+  const QByteArray answers = answersTo(listener_, pdu::associate({.contexts = contexts}) + pdu::release());
+  QCOMPARE(named(answers), QByteArray("accepted released"));
+  for (int id = 1; id < 256; id += 2) {
+    const char result = id == 5 ? 4 : id % 4 == 1 ? 0 : 3;
+    const QByteArray answer = QByteArray(1, char(id)) + '\0' + result + '\0' + '\x40';
+    QVERIFY2(answers.contains(answer), qPrintable(QString::number(id)));
+  }
+}
+
+VOLUMEN_TEST(TestListenerProtocol);
+#include "tst_listener_protocol.moc"
