@@ -24,7 +24,7 @@ struct TlsSettings {
 struct Listening {
   std::string ae = "VOLUMEN";  ///< our AE title; associations that call another one are rejected
   int port = 11112;
-  std::string address = "127.0.0.1";  ///< of this machine, IPv4 or IPv6; 0.0.0.0: all of IPv4; ::: all
+  std::string address = "127.0.0.1";  ///< of this machine, IPv4 or IPv6; 0.0.0.0: all of IPv4, "::": all
   std::vector<std::string> peers;     ///< AE titles that may send; empty: everyone
   int mostAssociations = 16;          ///< open at once
   int mostMegabytes = 4096;           ///< largest instance, millions of bytes

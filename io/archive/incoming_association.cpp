@@ -25,6 +25,7 @@ namespace volumen {
 namespace {
 
 constexpr unsigned noSuchClass = 0x0122;  // status (PS3.7 C.5.6)
+constexpr long mostBytesOfPdu = 65536;    // longer ones would not be quicker
 constexpr int requestSeconds = 3, idleSeconds = 30;
 constexpr std::chrono::seconds mostTimeOfRequest{10}, mostTimeOfFarewell{2};
 constexpr std::chrono::hours mostTimeOfInstance{1};
@@ -110,7 +111,7 @@ class Incoming {
     OFCondition done = ASC_initializeNetwork(NET_ACCEPTOR, 0, requestSeconds, &network_);
     if (done.good()) done = ASC_setTransportLayer(network_, &transport_, 0);
     if (done.good())
-      done = ASC_receiveAssociation(network_, &association_, ASC_DEFAULTMAXPDU, nullptr, nullptr,
+      done = ASC_receiveAssociation(network_, &association_, mostBytesOfPdu, nullptr, nullptr,
                                     reception_.tls != nullptr, DUL_BLOCK);
     if (transport_.finish()) ::close(socket);
     if (done.module() == OFM_dcmtls) return failTls();

@@ -8,11 +8,9 @@
 
 #include <QByteArray>
 #include <QCryptographicHash>
-#include <QtEndian>
 #include <algorithm>
 #include <cerrno>
 #include <condition_variable>
-#include <cstring>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -20,7 +18,7 @@
 #include <utility>
 #include <vector>
 
-#include "io/archive/association_pdu.h"
+#include "io/archive/pdu_reader.h"
 
 namespace volumen {
 
@@ -34,13 +32,8 @@ class WatchedConnection : public DcmTransportConnection {
       : DcmTransportConnection(socket), inner_(std::move(inner)), watch_(watch) {}
 
   ssize_t read(void* to, size_t count) override {
-    if (isBroken_) return ended();
-    if (!std::exchange(hasFirst_, true) && !takeFirst()) return ended();
-    if (given_ == first_.size()) return receive(to, count);
-    const std::size_t some = std::min(count, first_.size() - given_);
-    std::memcpy(to, first_.data() + given_, some);
-    given_ += some;
-    return ssize_t(some);
+    const ssize_t some = isBroken_ ? -1 : pdus_.read(to, count);
+    return some < 0 ? ended() : some;
   }
   ssize_t write(void* from, size_t count) override {
     // DCMTK sets its own choice after connecting.
@@ -54,7 +47,7 @@ class WatchedConnection : public DcmTransportConnection {
     return ssize_t(count);
   }
   OFBool networkDataAvailable(int timeout) override {
-    return given_ < first_.size() || wait(POLLIN, std::min(std::chrono::seconds(timeout), watch_.silence));
+    return pdus_.hasBytes() || wait(POLLIN, std::min(std::chrono::seconds(timeout), watch_.silence));
   }
   OFCondition clientSideHandshake() override {
     OFCondition done = handshake([this] { return inner_->clientSideHandshake(); });
@@ -102,9 +95,13 @@ class WatchedConnection : public DcmTransportConnection {
   }
 
   ssize_t receive(void* to, size_t count) {
+    const int yes = 1;
     ssize_t some = -1;
     do {
       if (!wait(POLLIN, watch_.silence)) return ended();
+      // Most peers wait with the last bytes of a message until what came before is acknowledged (Nagle's
+      // algorithm). The system would do that after 40 ms, and returns to it after a few messages.
+      setsockopt(getSocket(), IPPROTO_TCP, TCP_QUICKACK, &yes, sizeof yes);
       errno = 0;
       some = inner_->read(to, count);
     } while (some < 0 && errno == EAGAIN);  // a part of what TLS decrypts as one
@@ -141,29 +138,6 @@ class WatchedConnection : public DcmTransportConnection {
     return done;
   }
 
-  // Receives the first PDU (PS3.8 9.3), which negotiates the association. Returns whether DCMTK may read it.
-  bool takeFirst() {
-    constexpr std::size_t head = 6, lengthAt = 2;
-    if (!receiveFirst(head)) return true;
-    if (first_[0] != request && first_[0] != acceptance) return true;
-    const std::uint32_t length = qFromBigEndian<std::uint32_t>(first_.data() + lengthAt);
-    watch_.sentTooMuch = length > watch_.bytesLeft;
-    return !watch_.sentTooMuch && receiveFirst(length) && isWellFormedAssociation(first_);
-  }
-
-  // Appends so many bytes to the first PDU. Returns false if fewer come.
-  bool receiveFirst(std::size_t count) {
-    const std::size_t end = first_.size() + count;
-    while (first_.size() < end) {
-      const std::size_t at = first_.size();
-      first_.resize(end);
-      const ssize_t some = receive(first_.data() + at, end - at);
-      first_.resize(at + std::size_t(std::max<ssize_t>(some, 0)));
-      if (some <= 0) return false;
-    }
-    return true;
-  }
-
   static ssize_t ended() {
     errno = ECONNRESET;
     return -1;
@@ -177,13 +151,10 @@ class WatchedConnection : public DcmTransportConnection {
                                     QCryptographicHash::Sha256);
   }
 
-  static constexpr std::uint8_t request = 1, acceptance = 2;  // types of PDUs
-
   const std::unique_ptr<DcmTransportConnection> inner_;
   Watch& watch_;
-  std::vector<std::uint8_t> first_;
-  std::size_t given_ = 0;  // bytes of the first PDU that DCMTK has read
-  bool hasFirst_ = false, sent_ = false, isBroken_ = false;
+  PduReader pdus_{[this](void* to, size_t count) { return receive(to, count); }};
+  bool sent_ = false, isBroken_ = false;
 };
 
 }  // namespace

@@ -35,7 +35,7 @@ struct Watch {
   std::string otherCertificate;  ///< SHA-256 of one that differs from the pin
 };
 
-/// Makes connections of `inner` that obey a watch, that end where the first PDU is not well-formed, and that
+/// Makes connections of `inner` that obey a watch, that check what DCMTK reads (PduReader), and that
 /// send each message at once (no Nagle algorithm: with it every instance takes 45 ms).
 class WatchedTransport : public DcmTransportLayer {
  public:

@@ -80,4 +80,15 @@ QByteArray store(int context) {
          lastPart(context, 2, data);
 }
 
+QByteArray joined(const QByteArray& pdus) {
+  constexpr qsizetype head = 6;
+  QByteArray values;
+  for (qsizetype at = 0; at < pdus.size();) {
+    const qsizetype length = qsizetype(qFromBigEndian<quint32>(pdus.constData() + at + 2));
+    values += pdus.mid(at + head, length);
+    at += head + length;
+  }
+  return pdu(4, values);
+}
+
 }  // namespace volumen::tests::pdu

@@ -35,5 +35,7 @@ QByteArray command(int context, const QByteArray& elements);
 QByteArray echo(int context = 1);
 /// Returns a C-STORE of a small image.
 QByteArray store(int context = 3);
+/// Returns the values (PDV) in several PDUs of data as one PDU.
+QByteArray joined(const QByteArray& pdus);
 
 }  // namespace volumen::tests::pdu

@@ -85,7 +85,7 @@ void TestArchivesFile::problemsAreNamed_data() {
       "listen.ae must have at most 16 characters");
   row("listening at port 65536", R"({"listen": {"port": 65536}})", "listen.port must be in 1 .. 65535");
   row("listening at a name", R"({"listen": {"address": "localhost"}})",
-      "listen.address must be an IP address of this machine, or 0.0.0.0 for all of them");
+      "listen.address must be an IP address of this machine, or 0.0.0.0 or :: for all of them");
   row("a peer that is no text", R"({"listen": {"peers": [1]}})",
       "listen.peers must be a list of up to 1000 AE titles");
   row("a peer of blanks", R"({"listen": {"peers": ["PACS", " "]}})",

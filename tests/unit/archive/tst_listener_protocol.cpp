@@ -87,6 +87,10 @@ void TestListenerProtocol::requestsAreAnswered_data() {
   row("an image where only verification was agreed on", open + store(1) + echo() + release(),
       "accepted 0122 0000 released");
   row("an image in a context that was not agreed on", open + store(5), "accepted aborted");
+  row("several requests in one message", open + joined(store() + echo() + store() + echo()) + release(),
+      "accepted 0000 0000 0000 0000 released");
+  row("a value that is longer than its message",
+      open + pdu::pdu(4, fourBytes(100) + QByteArray("\1\3", 2) + QByteArray(20, '\0')) + echo(), "accepted");
   row("N-GET", open + normalized(0x0110, element(0x1005, QByteArray(4000, '\1'))), "accepted aborted");
   row("N-ACTION, storage commitment", open + normalized(0x0130, element(0x1008, 1)), "accepted aborted");
   row("N-CREATE", open + normalized(0x0140, {}), "accepted aborted");
