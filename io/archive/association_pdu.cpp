@@ -10,12 +10,13 @@ namespace {
 
 using PduBytes = std::span<const std::uint8_t>;
 
-constexpr std::uint8_t acceptance = 0x02;
-// Items and their parts (PS3.8 9.3, PS3.7 D.3.3).
-constexpr std::uint8_t applicationContext = 0x10, proposedContext = 0x20, acceptedContext = 0x21,
-                       abstractSyntax = 0x30, transferSyntax = 0x40, userInformation = 0x50,
-                       maximumLength = 0x51, classUid = 0x52, role = 0x54, versionName = 0x55,
-                       extendedNegotiation = 0x56, identity = 0x58, identityAnswer = 0x59;
+// Types of PDUs, of items and of their parts (PS3.8 9.3, PS3.7 D.3.3).
+namespace pdu {
+constexpr std::uint8_t acceptance = 0x02, applicationContext = 0x10, proposedContext = 0x20,
+                       acceptedContext = 0x21, abstractSyntax = 0x30, transferSyntax = 0x40,
+                       userInformation = 0x50, maximumLength = 0x51, classUid = 0x52, role = 0x54,
+                       versionName = 0x55, extendedNegotiation = 0x56, identity = 0x58, identityAnswer = 0x59;
+}
 constexpr std::size_t mostOfUid = 64;
 
 std::size_t twoBytes(PduBytes bytes, std::size_t at) { return std::size_t(bytes[at]) << 8 | bytes[at + 1]; }
@@ -61,9 +62,9 @@ class AssociationPdu {
 
   bool isWellFormed(PduBytes items) {
     const bool fit = allItems(items, [this](std::uint8_t type, PduBytes value) {
-      if (type == applicationContext) return isName(value);
-      if (type == proposedContext || type == acceptedContext) return isContext(type, value);
-      if (type != userInformation) return true;
+      if (type == pdu::applicationContext) return isName(value);
+      if (type == pdu::proposedContext || type == pdu::acceptedContext) return isContext(type, value);
+      if (type != pdu::userInformation) return true;
       return !std::exchange(hasUserInformation_, true) &&
              allItems(value, [this](std::uint8_t part, PduBytes of) { return isUserPart(part, of); });
     });
@@ -78,30 +79,31 @@ class AssociationPdu {
 
   bool isContext(std::uint8_t type, PduBytes value) {
     constexpr std::size_t head = 4, result = 2;
-    if (value.size() < head || (type == acceptedContext) != isAcceptance_ || known_[value[0]]) return false;
+    if (value.size() < head || (type == pdu::acceptedContext) != isAcceptance_ || known_[value[0]])
+      return false;
     known_.set(value[0]);
     if (isAcceptance_ && value[result] != 0) return true;
     std::size_t syntaxes = 0;
     const bool fits = allItems(value.subspan(head), [&](std::uint8_t part, PduBytes of) {
-      syntaxes += part == transferSyntax;
-      return (part != abstractSyntax && part != transferSyntax) || of.size() <= mostOfUid;
+      syntaxes += part == pdu::transferSyntax;
+      return (part != pdu::abstractSyntax && part != pdu::transferSyntax) || of.size() <= mostOfUid;
     });
     return fits && (isAcceptance_ ? syntaxes == 1 : syntaxes > 0);
   }
 
   bool isUserPart(std::uint8_t part, PduBytes value) {
     switch (part) {
-      case maximumLength:
+      case pdu::maximumLength:
         return value.size() == 4;
-      case classUid:
-      case versionName:
+      case pdu::classUid:
+      case pdu::versionName:
         return value.size() <= mostOfUid;
-      case role:
+      case pdu::role:
         return holdsText(value, 0, 2) && twoBytes(value, 0) <= mostOfUid;
-      case extendedNegotiation:
+      case pdu::extendedNegotiation:
         return holdsText(value, 0, 0);
-      case identity:
-      case identityAnswer:
+      case pdu::identity:
+      case pdu::identityAnswer:
         return !std::exchange(hasIdentity_, true) && isIdentity(value, isAcceptance_);
       default:
         return true;
@@ -115,14 +117,14 @@ class AssociationPdu {
 
 }  // namespace
 
-bool isWellFormedAssociation(PduBytes pdu) {
+bool isWellFormedAssociation(PduBytes bytes) {
   constexpr std::size_t head = 6 + 68;  // of any PDU, and version, titles and reserved bytes
   constexpr std::size_t version = 7;    // one bit a version; the first is the only one
   constexpr std::size_t calledTitle = 10, callingTitle = 26, titleLength = 16;
-  if (pdu.size() < head || (pdu[version] & 1) == 0) return false;
-  if (isBlank(pdu.subspan(calledTitle, titleLength)) || isBlank(pdu.subspan(callingTitle, titleLength)))
+  if (bytes.size() < head || (bytes[version] & 1) == 0) return false;
+  if (isBlank(bytes.subspan(calledTitle, titleLength)) || isBlank(bytes.subspan(callingTitle, titleLength)))
     return false;
-  return AssociationPdu(pdu[0] == acceptance).isWellFormed(pdu.subspan(head));
+  return AssociationPdu(bytes[0] == pdu::acceptance).isWellFormed(bytes.subspan(head));
 }
 
 }  // namespace volumen

@@ -132,12 +132,6 @@ class Incoming {
   std::optional<Rejection> whyRejected() {
     const Listening& listening = reception_.listening;
     const std::string called = withoutPadding(association_->params->DULparams.calledAPTitle);
-    isCounted_ = true;
-    if (++reception_.associations > listening.mostAssociations)
-      return Rejection{{ASC_RESULT_REJECTEDTRANSIENT, ASC_SOURCE_SERVICEPROVIDER_PRESENTATION_RELATED,
-                        ASC_REASON_SP_PRES_LOCALLIMITEXCEEDED},
-                       "was rejected: " + std::to_string(listening.mostAssociations) +
-                           " associations are open already (\"mostAssociations\")"};
     if (called != withoutPadding(listening.ae))
       return Rejection{
           {ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER, ASC_REASON_SU_CALLEDAETITLENOTRECOGNIZED},
@@ -152,6 +146,13 @@ class Incoming {
       return Rejection{
           {ASC_RESULT_REJECTEDPERMANENT, ASC_SOURCE_SERVICEUSER, ASC_REASON_SU_CALLINGAETITLENOTRECOGNIZED},
           "was rejected: it is none of the \"peers\""};
+    // Those who may not send take no place.
+    isCounted_ = true;
+    if (++reception_.associations > listening.mostAssociations)
+      return Rejection{{ASC_RESULT_REJECTEDTRANSIENT, ASC_SOURCE_SERVICEPROVIDER_PRESENTATION_RELATED,
+                        ASC_REASON_SP_PRES_LOCALLIMITEXCEEDED},
+                       "was rejected: " + std::to_string(listening.mostAssociations) +
+                           " associations are open already (\"mostAssociations\")"};
     return {};
   }
 

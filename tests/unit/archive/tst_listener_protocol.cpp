@@ -14,6 +14,7 @@ class TestListenerProtocol : public QObject {
   void requestsAreAnswered_data();
   void requestsAreAnswered();
   void contextsAreAnsweredEach();
+  void aRejectedPeerTakesNoPlace();
 
  private:
   ListenerProcess listener_;
@@ -144,6 +145,15 @@ void TestListenerProtocol::contextsAreAnsweredEach() {
     const QByteArray answer = QByteArray(1, char(id)) + '\0' + result + '\0' + '\x40';
     QVERIFY2(answers.contains(answer), qPrintable(QString::number(id)));
   }
+}
+
+void TestListenerProtocol::aRejectedPeerTakesNoPlace() {
+  ListenerProcess one(R"(, "mostAssociations": 1)");
+  QVERIFY(one.start());
+  const auto rejected = one.connection(pdu::associate({.called = "NOBODY"}));
+  QVERIFY(rejected->waitForReadyRead(5000));
+  QCOMPARE(named(answersTo(one, pdu::associate() + pdu::echo() + pdu::release())),
+           QByteArray("accepted 0000 released"));
 }
 
 VOLUMEN_TEST(TestListenerProtocol);
