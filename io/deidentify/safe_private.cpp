@@ -16,7 +16,7 @@ constexpr SafePrivate safe[] = {
     {0x7053, "Philips PET Private Group", 0x00},  // SUV factor
     {0x7053, "Philips PET Private Group", 0x09},  // activity concentration factor
     {0x00e1, "ELSCINT1", 0x21},                   // dose-length product
-    {0x00e1, "ELSCINT1", 0x50},                   // acquisition duration
+    {0x01e1, "ELSCINT1", 0x50},                   // acquisition duration
     {0x01e1, "ELSCINT1", 0x26},                   // phantom type
     {0x01f1, "ELSCINT1", 0x01},                   // acquisition type
     {0x01f1, "ELSCINT1", 0x07},                   // table velocity
@@ -26,8 +26,10 @@ constexpr SafePrivate safe[] = {
     {0x0019, "GEMS_ACQU_01", 0x24},               // mid scan time
     {0x0019, "GEMS_ACQU_01", 0x27},               // rotation speed
     {0x0019, "GEMS_ACQU_01", 0x9e},               // pulse sequence
+    {0x0025, "GEMS_SERS_01", 0x07},               // images in series
     {0x0043, "GEMS_PARM_01", 0x27},               // scan pitch ratio
     {0x0043, "GEMS_PARM_01", 0x39},               // b value
+    {0x0043, "GEMS_PARM_01", 0x6f},               // scanner table entry
     {0x0045, "GEMS_HELIOS_01", 0x01},             // number of macro rows
     {0x0045, "GEMS_HELIOS_01", 0x02},             // width of macro rows
     {0x0019, "SIEMENS MR HEADER", 0x0c},          // b value
