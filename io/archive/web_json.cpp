@@ -17,6 +17,9 @@ namespace volumen {
 
 namespace {
 
+// Names have up to 3 groups of 64 characters (PS3.5 6.2), and all else that is asked for is shorter.
+constexpr std::size_t mostBytesOfValue = 1024;
+
 std::string hexOf(const DcmTagKey& tag) {
   char text[9];
   std::snprintf(text, sizeof text, "%04X%04X", tag.getGroup(), tag.getElement());
@@ -87,10 +90,13 @@ void putAnswer(const nlohmann::json& answer, DcmDataset& keys, DcmDataset& data)
     if (value == found->end()) return;
     std::string text;
     if (value->is_array())
-      for (const nlohmann::json& one : *value) text += (text.empty() ? "" : "\\") + textOf(one);
+      for (const nlohmann::json& one : *value) {
+        text += (text.empty() ? "" : "\\") + textOf(one);
+        if (text.size() > mostBytesOfValue) break;
+      }
     else
       text = textOf(*value);
-    putKey(data, tag, text);
+    if (text.size() <= mostBytesOfValue) putKey(data, tag, text);
   });
 }
 

@@ -16,7 +16,7 @@ std::string searchTarget(DcmDataset& keys, int limit, int offset, bool isFuzzy =
 std::string percentEncoded(const std::string& text);
 
 /// Fills a data set with those attributes of an answer (PS3.18 F.2) that `keys` asks for, in UTF-8. Values
-/// that are not texts or numbers are left out.
+/// that are not texts or numbers, or longer than 1024 bytes, are left out.
 void putAnswer(const nlohmann::json& answer, DcmDataset& keys, DcmDataset& data);
 
 }  // namespace volumen

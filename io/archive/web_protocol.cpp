@@ -147,6 +147,28 @@ constexpr const char* wadoTypes[] = {
     "application/dicom",
 };
 
+// Calls visit(text, most values in it) for each object in a list, which is valid JSON, until it returns
+// false. Returns what it returned last.
+template <class Visit>
+bool forEachObject(std::string_view list, Visit visit) {
+  int depth = 0;
+  std::size_t begin = 0, values = 0;
+  for (std::size_t at = 0; at < list.size(); ++at) {
+    const char c = list[at];
+    if (c == '"') {
+      while (list[++at] != '"') at += list[at] == '\\';
+    } else if (c == '{' || c == '[') {
+      if (depth++ == 1) begin = at, values = 0;
+      ++values;
+    } else if (c == '}' || c == ']') {
+      if (--depth == 1 && c == '}' && !visit(list.substr(begin, at + 1 - begin), values)) return false;
+    } else {
+      values += c == ',' || c == ':';
+    }
+  }
+  return true;
+}
+
 class WebProtocol : public ArchiveProtocol {
  public:
   WebProtocol(const Archive& archive, const CancelToken& cancel)
@@ -211,20 +233,21 @@ class WebProtocol : public ArchiveProtocol {
       if (!answer) return answer.error();
       if (answer->status == 404 && offset == 0 && !isOfStudies(keys)) return std::string();
       if (!isSuccess(*answer)) return refusal(*answer).message;
-      const auto page = pageIn(body.text());
-      if (!page.is_array()) return exchange_.says("does not answer the search in JSON").message;
+      if (!isPage(body.text())) return exchange_.says("does not answer the search in JSON").message;
       const std::size_t before = known.size();
-      if (!givePage(page, keys, known, onAnswer)) return std::string();
+      std::size_t answers = 0;
+      const bool isMoreWanted = givePage(body.text(), keys, known, onAnswer, answers);
+      if (cancel_.cancelled()) return Error{"cancelled"};
+      if (!isMoreWanted) return std::string();
       // An archive that knows no pages sends the first again; a round number of answers is a limit of its
       // own.
-      const bool isCapped =
-          isOfStudies(keys) && !page.empty() && page.size() < pageSize && page.size() % 50 == 0;
+      const bool isCapped = isOfStudies(keys) && answers > 0 && answers < pageSize && answers % 50 == 0;
       if (known.size() == before)
         return hasMore || isCapped
                    ? exchange_.says("may have more than it sends: add a word or a date").message
                    : std::string();
       hasMore = answer->isPart || answer->status == 206;
-      offset += int(page.size());
+      offset += int(answers);
     }
   }
 
@@ -237,36 +260,33 @@ class WebProtocol : public ArchiveProtocol {
     return exchange_.says("answers with status " + std::to_string(answer.status));
   }
 
-  // Returns whether more is wanted.
-  bool givePage(const nlohmann::json& page, DcmDataset& keys, std::set<std::string>& known,
-                const std::function<bool(DcmDataset&)>& onAnswer) {
-    for (const nlohmann::json& one : page) {
-      DcmDataset data;
-      putAnswer(one, keys, data);
-      const Answer answer(data, "");
-      std::string uid;
-      for (const DcmTagKey& tag : {DCM_SOPInstanceUID, DCM_SeriesInstanceUID, DCM_StudyInstanceUID})
-        if (uid.empty()) uid = answer.text(tag);
-      if (known.insert(uid).second && !onAnswer(data)) return false;
-    }
-    return true;
+  static bool isPage(const std::string& text) {
+    const std::size_t first = text.find_first_not_of(" \t\r\n");
+    return first == std::string::npos || (text[first] == '[' && nlohmann::json::accept(text));
   }
 
-  // What no answer needs is dropped while it is read: depth, and more answers than a page may have.
-  nlohmann::json pageIn(const std::string& text) const {
-    constexpr int mostDepth = 8;
-    constexpr std::size_t mostAnswers = 200000;
-    using Event = nlohmann::json::parse_event_t;
-    std::size_t answers = 0;
-    return nlohmann::json::parse(
-        text.empty() ? "[]" : text,
-        [&](int depth, Event event, nlohmann::json&) {
-          if (cancel_.cancelled() || depth > mostDepth) return false;
-          const bool isAnswer = depth == 1 && event == Event::object_start;
-          if (depth == 1 && (event == Event::value || event == Event::array_start)) return false;
-          return !isAnswer || ++answers <= mostAnswers;
-        },
-        false);
+  // Only one answer is in memory at a time: in numbers and braces of two bytes each, 32 MB of text would take
+  // gigabytes. Returns whether more is wanted.
+  bool givePage(const std::string& text, DcmDataset& keys, std::set<std::string>& known,
+                const std::function<bool(DcmDataset&)>& onAnswer, std::size_t& answers) const {
+    constexpr std::size_t mostAnswers = 200000, mostValues = 20000;
+    return forEachObject(text, [&](std::string_view one, std::size_t values) {
+      if (++answers > mostAnswers || values > mostValues) return true;
+      return !cancel_.cancelled() &&
+             giveAnswer(nlohmann::json::parse(one, nullptr, false), keys, known, onAnswer);
+    });
+  }
+
+  static bool giveAnswer(const nlohmann::json& one, DcmDataset& keys, std::set<std::string>& known,
+                         const std::function<bool(DcmDataset&)>& onAnswer) {
+    constexpr std::size_t mostLetters = 64;  // of a UID (PS3.5 9.1)
+    DcmDataset data;
+    putAnswer(one, keys, data);
+    const Answer answer(data, "");
+    std::string uid;
+    for (const DcmTagKey& tag : {DCM_SOPInstanceUID, DCM_SeriesInstanceUID, DCM_StudyInstanceUID})
+      if (uid.empty()) uid = answer.text(tag);
+    return uid.size() > mostLetters || !known.insert(uid).second || onAnswer(data);
   }
 
   // Some archives refuse a type that others need; what one accepts is asked for from then on.

@@ -15,6 +15,7 @@
 #include "tests/fixtures/program.h"
 #include "tests/unit/archive/archived_studies.h"
 #include "tests/unit/archive/taking_peer.h"
+#include "tests/unit/archive/web_peer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -34,6 +35,8 @@ class TestArchiveSafety : public QObject {
   void anInterruptedFetchSaysWhatIsKept();
   void aPortThatAMuteProgramHoldsIsFoundOut();
   void whatAReceiverFilesIsFetched();
+  void hostileAnswersTakeLittleMemory_data();
+  void hostileAnswersTakeLittleMemory();
 
  private:
   QString convertedBy(const char* tool, const QStringList& options);
@@ -286,6 +289,38 @@ void TestArchiveSafety::whatAReceiverFilesIsFetched() {
   QVERIFY2(outcome.out.startsWith("Fetched 1 of 1 images"), outcome.out);
   receiver.terminate();
   QVERIFY(receiver.waitForFinished(20000));
+}
+
+void TestArchiveSafety::hostileAnswersTakeLittleMemory_data() {
+  QTest::addColumn<QByteArray>("begin");
+  QTest::addColumn<QByteArray>("part");  // repeated up to 31 MB
+  QTest::addColumn<QByteArray>("end");
+  const QByteArray open = R"([{"00100020": {"vr": "LO", "Value": [)", close = "0]}}]";
+  QTest::newRow("millions of numbers") << open << QByteArray("1,") << close;
+  QTest::newRow("millions of objects") << open << QByteArray("{},") << close;
+  QTest::newRow("millions of attributes")
+      << QByteArray("[{") << QByteArray(R"("a":1,)") << QByteArray(R"("b":1}])");
+  QTest::newRow("millions of answers") << QByteArray("[") << QByteArray("{},") << QByteArray("{}]");
+  QTest::newRow("one long text") << QByteArray(R"([{"00100020": {"vr": "LO", "Value": [")")
+                                 << QByteArray("aa") << QByteArray(R"("]}}])");
+}
+
+void TestArchiveSafety::hostileAnswersTakeLittleMemory() {
+  QFETCH(QByteArray, begin);
+  QFETCH(QByteArray, part);
+  QFETCH(QByteArray, end);
+  constexpr int bytes = 31'000'000;
+  const QByteArray page = begin + part.repeated(bytes / int(part.size())) + end;
+  const HttpPeer peer([&](const HttpRequest& request) {
+    const bool isFirst = !request.query.contains("offset=") || request.query.contains("offset=0");
+    return httpAnswer("200 OK", "application/dicom+json", isFirst ? page : QByteArray("[]"));
+  });
+  const QString list =
+      fileOf(R"({"archives": [{"name": "to", "kind": "dicomweb", "url": ")" + peer.url() + "\"}]}");
+  const MeasuredOutcome outcome =
+      runMeasured({"archive", "query", "to", "--archives", list.toStdString(), "--json"});
+  QCOMPARE(outcome.status, 0);
+  QVERIFY2(outcome.peakMebibytes < 512, qPrintable(QString::number(outcome.peakMebibytes)));
 }
 
 VOLUMEN_TEST(TestArchiveSafety);
