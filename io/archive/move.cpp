@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <future>
 #include <set>
+#include <system_error>
 
 #include "io/archive/association.h"
 #include "io/archive/data_sets.h"
@@ -112,7 +113,7 @@ Status ask(Association& association, const WantedInstances& wanted, const std::s
 }  // namespace
 
 Status moveFromArchive(const Archive& archive, const WantedInstances& wanted, InstanceSink& sink,
-                       const CancelToken& cancel) {
+                       const CancelToken& cancel) try {
   const Listening& listening = *archive.listen;
   auto association = Association::open(archive, {plainService(moveModel)}, cancel);
   if (!association) return association.error();
@@ -130,6 +131,8 @@ Status moveFromArchive(const Archive& archive, const WantedInstances& wanted, In
   return Error{(moved ? "The archive \"" + archive.name + "\" did not send all." : moved.message()) +
                " It must know the AE title " + listening.ae + " at this machine's address, port " +
                std::to_string(listening.port) + "."};
+} catch (const std::system_error&) {
+  return Error{"The system starts no more threads, of which one would receive what the archive sends."};
 }
 
 }  // namespace volumen

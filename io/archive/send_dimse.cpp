@@ -1,10 +1,15 @@
 #include "io/archive/send_dimse.h"
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dcdict.h>
+
 #include <algorithm>
 #include <atomic>
 #include <map>
 #include <mutex>
+#include <new>
 #include <set>
+#include <system_error>
 #include <thread>
 
 #include "io/archive/association.h"
@@ -60,7 +65,11 @@ class Sending {
     const std::size_t lines = std::clamp(count / instancesForEach, std::size_t(1), mostAssociations);
     isAlone_ = lines == 1;
     std::vector<std::thread> threads;
-    for (std::size_t n = 1; n < lines; ++n) threads.emplace_back([this] { sendOverOne(); });
+    try {
+      for (std::size_t n = 1; n < lines; ++n) threads.emplace_back([this] { sendOverOne(); });
+    } catch (const std::system_error&) {
+      // The system starts no more threads: those that it started send all.
+    }
     sendOverOne();
     for (std::thread& thread : threads) thread.join();
     if (problem_) sendAgain();
@@ -69,6 +78,16 @@ class Sending {
 
  private:
   void sendOverOne() {
+    try {
+      sendOverOneWithMemory();
+    } catch (const std::bad_alloc&) {
+      const std::lock_guard lock(mutex_);
+      if (problem_) problem_ = Error{"There is too little memory to send more."};
+      next_ = std::max(next_.load(), end_);
+    }
+  }
+
+  void sendOverOneWithMemory() {
     std::optional<Association> association;
     for (std::size_t n = next_++; n < end_; n = next_++) {
       auto done = sendOne(association, n);
@@ -131,6 +150,10 @@ class Sending {
 
 Status sendByDimse(const Archive& archive, const std::vector<SentInstance>& instances, const OnSent& onSent,
                    const CancelToken& cancel) {
+  // DCMTK loads its dictionary on first use. If memory ran out then in a thread, the others would wait for it
+  // forever.
+  dcmDataDict.rdlock();
+  dcmDataDict.rdunlock();
   for (std::size_t first = 0; first < instances.size();) {
     Services services;
     std::size_t end = first;

@@ -10,6 +10,7 @@
 #include <QSslKey>
 #include <QThread>
 #include <QTimer>
+#include <new>
 
 #include "io/archive/secret_command.h"
 #include "io/qt_application.h"
@@ -128,7 +129,16 @@ class Request {
     return a;
   }
 
+  // Qt's event loop lets no exception through.
   void take() {
+    try {
+      takeAll();
+    } catch (const std::bad_alloc&) {
+      end(says("sends more than there is memory for"));
+    }
+  }
+
+  void takeAll() {
     if (!problem_) return;
     const WebAnswer now = answer();
     while (problem_ && reply_->bytesAvailable() > 0) {
@@ -218,7 +228,7 @@ struct WebExchange::Private {
     thread.start();
   }
   ~Private() {
-    onThread([&] { manager.reset(); });
+    if (thread.isRunning()) onThread([&] { manager.reset(); });
     thread.quit();
     thread.wait();
   }
@@ -336,7 +346,14 @@ WebExchange::~WebExchange() = default;
 
 Result<WebAnswer> WebExchange::send(const WebRequest& request, const OnBody& onBody) {
   Result<WebAnswer> answer = Error{};
-  p_->onThread([&] { answer = p_->perform(request, onBody); });
+  if (!p_->thread.isRunning()) return p_->says("cannot be asked, as the system starts no more threads");
+  p_->onThread([&] {
+    try {
+      answer = p_->perform(request, onBody);
+    } catch (const std::bad_alloc&) {
+      answer = p_->says("cannot be asked, as there is too little memory");
+    }
+  });
   return answer;
 }
 
