@@ -143,14 +143,14 @@ QByteArray ScpLine::storage(const QByteArray& instanceUid, const QByteArray& dat
          dataPdus(id, false, dataSet);
 }
 
-FakeScp::FakeScp(ScpAnswer answer)
-    : peer_([answer = std::move(answer)](QTcpSocket& socket) {
+FakeScp::FakeScp(ScpAnswer answer, ChosenSyntax chosen)
+    : peer_([answer = std::move(answer), chosen = std::move(chosen)](QTcpSocket& socket) {
         ScpLine begin(socket, {});
         const QByteArray head = begin.take(6);
         if (head.isEmpty()) return;
         const QByteArray request = head + begin.take(qFromBigEndian<quint32>(head.constData() + 2));
         ScpLine line(socket, request);
-        line.send(acceptanceOf(request));
+        line.send(acceptanceOf(request, chosen));
         while (const std::optional<DimseMessage> message = line.receive()) answer(line, *message);
         line.hangUp();
       }) {}

@@ -71,11 +71,10 @@ class ScpLine {
 /// What an archive does about a request.
 using ScpAnswer = std::function<void(ScpLine&, const DimseMessage&)>;
 
-/// A fake archive by DIMSE, one association after the other. It accepts all contexts and then answers as it
-/// is told.
+/// A fake archive by DIMSE, one association after the other. It answers as it is told.
 class FakeScp {
  public:
-  explicit FakeScp(ScpAnswer answer);
+  explicit FakeScp(ScpAnswer answer, ChosenSyntax chosen = lastSyntax);
   int port() const { return peer_.port(); }
 
  private:

@@ -35,6 +35,12 @@ QByteArray rolesIn(const QByteArray& request) {
   return roles;
 }
 
+QByteArray storageCommand(int context, const QByteArray& uid) {
+  return commandPdu(context, commandElement(0x0002, UID_CTImageStorage) + commandElement(0x0100, quint16(1)) +
+                                 commandElement(0x0110, quint16(9)) + commandElement(0x0700, quint16(0)) +
+                                 commandElement(0x0800, quint16(1)) + commandElement(0x1000, uid));
+}
+
 }  // namespace
 
 QByteArray pduOf(char type, const QByteArray& value) {
@@ -45,15 +51,21 @@ QByteArray pduItem(char type, const QByteArray& value) {
   return QByteArray(1, type) + '\0' + bigEndian(quint16(value.size())) + value;
 }
 
-QByteArray associationRequest() {
-  const QByteArray context = QByteArray("\1\0\0\0", 4) + pduItem(0x30, UID_CTImageStorage) +
-                             pduItem(0x40, UID_LittleEndianImplicitTransferSyntax);
-  return pduOf(pduRequest,
-               bigEndian(quint16(1)) + bigEndian(quint16(0)) + QByteArray("VOLUMEN").leftJustified(16) +
-                   QByteArray("BYHAND").leftJustified(16) + QByteArray(32, '\0') +
-                   pduItem(0x10, UID_StandardApplicationContext) + pduItem(0x20, context) +
-                   pduItem(0x50, pduItem(0x51, bigEndian(quint32(16384))) + pduItem(0x52, "1.2.3")));
+QByteArray proposalOf(int id, const QByteArray& sopClass, const QList<QByteArray>& syntaxes) {
+  QByteArray value = QByteArray(1, char(id)) + QByteArray(3, '\0') + pduItem(0x30, sopClass);
+  for (const QByteArray& syntax : syntaxes) value += pduItem(0x40, syntax);
+  return pduItem(0x20, value);
 }
+
+QByteArray associationRequest(const AssociationRequest& request) {
+  return pduOf(
+      pduRequest,
+      bigEndian(quint16(1)) + bigEndian(quint16(0)) + request.called.leftJustified(16) +
+          request.calling.leftJustified(16) + QByteArray(32, '\0') + request.name + request.contexts +
+          pduItem(0x50, pduItem(0x51, bigEndian(request.mostBytes)) + pduItem(0x52, "1.2.3") + request.more));
+}
+
+QByteArray releaseRequest() { return pduOf(pduReleaseRequest, QByteArray(4, '\0')); }
 
 QList<ProposedContext> contextsIn(const QByteArray& request) {
   QList<ProposedContext> contexts;
@@ -67,11 +79,16 @@ QList<ProposedContext> contextsIn(const QByteArray& request) {
   return contexts;
 }
 
-QByteArray acceptanceOf(const QByteArray& request) {
+QByteArray lastSyntax(const ProposedContext& context) { return context.syntaxes.last(); }
+
+QByteArray acceptanceOf(const QByteArray& request, const ChosenSyntax& chosen) {
+  constexpr char noSyntax = 4;  // result (PS3.8 9.3.3.2)
   QByteArray contexts;
-  for (const ProposedContext& context : contextsIn(request))
-    contexts += pduItem(
-        0x21, QByteArray(1, char(context.id)) + QByteArray(3, '\0') + pduItem(0x40, context.syntaxes.last()));
+  for (const ProposedContext& context : contextsIn(request)) {
+    const QByteArray syntax = chosen(context);
+    contexts += pduItem(0x21, QByteArray(1, char(context.id)) + '\0' + (syntax.isEmpty() ? noSyntax : '\0') +
+                                  '\0' + pduItem(0x40, syntax));
+  }
   const QByteArray user =
       pduItem(0x51, bigEndian(quint32(16384))) + pduItem(0x52, "1.2.3") + rolesIn(request);
   return pduOf(pduAcceptance, request.mid(6, headOfRequest - 6) +
@@ -108,6 +125,10 @@ QByteArray commandOf(const QByteArray& elements) {
   return commandElement(0x0000, littleEndian(quint32(elements.size()))) + elements;
 }
 
+QByteArray commandPdu(int context, const QByteArray& elements) {
+  return dataPdu(context, 3, commandOf(elements));
+}
+
 QByteArray valueIn(const QByteArray& bytes, quint16 group, quint16 element) {
   constexpr qsizetype head = 8;
   for (qsizetype at = 0; at + head <= bytes.size();) {
@@ -119,12 +140,31 @@ QByteArray valueIn(const QByteArray& bytes, quint16 group, quint16 element) {
   return {};
 }
 
-QByteArray begunStorage() {
-  const QByteArray command =
-      commandOf(commandElement(0x0002, UID_CTImageStorage) + commandElement(0x0100, quint16(1)) +
-                commandElement(0x0110, quint16(1)) + commandElement(0x0700, quint16(0)) +
-                commandElement(0x0800, quint16(1)) + commandElement(0x1000, "1.2.3.4"));
-  return dataPdu(1, 3, command) + dataPdu(1, 0, QByteArray(8000, '\0'));
+QByteArray echoPdu() {
+  return commandPdu(1, commandElement(0x0002, UID_VerificationSOPClass) +
+                           commandElement(0x0100, quint16(0x0030)) + commandElement(0x0110, quint16(7)) +
+                           commandElement(0x0800, quint16(0x0101)));
+}
+
+QByteArray storagePdus(int context) {
+  const QByteArray uid = "1.2.3.1.9";
+  return storageCommand(context, uid) +
+         dataPdu(context, 2,
+                 implicitElement(0x0008, 0x0016, UID_CTImageStorage) + implicitElement(0x0008, 0x0018, uid) +
+                     implicitElement(0x0020, 0x000d, "1.2.3") + implicitElement(0x0020, 0x000e, "1.2.3.1"));
+}
+
+QByteArray begunStorage() { return storageCommand(3, "1.2.3.4") + dataPdu(3, 0, QByteArray(8000, '\0')); }
+
+QByteArray joined(const QByteArray& pdus) {
+  constexpr qsizetype head = 6;
+  QByteArray values;
+  for (qsizetype at = 0; at < pdus.size();) {
+    const qsizetype length = qFromBigEndian<quint32>(pdus.constData() + at + 2);
+    values += pdus.mid(at + head, length);
+    at += head + length;
+  }
+  return pduOf(pduData, values);
 }
 
 QByteArray nestedSequences(int levels) {

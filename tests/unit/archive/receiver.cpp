@@ -5,6 +5,8 @@
 #include <dcmtk/dcmdata/dcdeftag.h>
 
 #include <QFile>
+#include <QJsonDocument>
+#include <QProcess>
 
 #include "tests/unit/archive/archived_studies.h"
 #include "tests/unit/archive/peer_process.h"
@@ -12,14 +14,18 @@
 
 namespace volumen::tests {
 
+namespace {
+
 int statusOfPeer(const QString& program, const QStringList& arguments) {
-  QProcess process;
-  process.setStandardOutputFile(QProcess::nullDevice());
-  process.setStandardErrorFile(QProcess::nullDevice());
-  process.start(program, arguments);
-  return process.waitForFinished(60000) && process.exitStatus() == QProcess::NormalExit ? process.exitCode()
-                                                                                        : -1;
+  QProcess peer;
+  peer.setStandardOutputFile(QProcess::nullDevice());
+  peer.setStandardErrorFile(QProcess::nullDevice());
+  peer.start(program, arguments);
+  const bool ended = peer.waitForFinished(60000) && peer.exitStatus() == QProcess::NormalExit;
+  return ended ? peer.exitCode() : -1;
 }
+
+}  // namespace
 
 Receiver::Receiver(const QByteArray& fields, rlim_t mostBytes) : port_(freePort()), mostBytes_(mostBytes) {
   QFile list(folder_.filePath(QStringLiteral("archives.json")));
@@ -27,23 +33,41 @@ Receiver::Receiver(const QByteArray& fields, rlim_t mostBytes) : port_(freePort(
     list.write("{\"listen\": {\"port\": " + QByteArray::number(port_) + fields + "}}");
 }
 
-bool Receiver::start(const QStringList& more) {
-  const QStringList to =
-      more.contains(QLatin1String("--index")) ? QStringList() : QStringList{QStringLiteral("-o"), output()};
+bool Receiver::start(const QStringList& more) { return startInto(QStringLiteral("-o"), output(), more); }
+
+bool Receiver::startIntoIndex() { return startInto(QStringLiteral("--index"), index(), {}); }
+
+bool Receiver::startInto(const QString& option, const QString& folder, const QStringList& more) {
   std::function<void()> before;
   if (mostBytes_ > 0) before = [limit = rlimit{mostBytes_, mostBytes_}] { setrlimit(RLIMIT_FSIZE, &limit); };
   program_.emplace(QStringList{QStringLiteral("receive"), QStringLiteral("--archives"),
-                               folder_.filePath(QStringLiteral("archives.json"))} +
-                       to + more,
+                               folder_.filePath(QStringLiteral("archives.json")), option, folder} +
+                       more,
                    before);
-  return listensAt(port_);
+  return program_->says("Listening at ");
 }
 
 QStringList Receiver::files() const { return filesBelow(output()); }
 
-QStringList Receiver::address() const {
-  return {QStringLiteral("-aec"), QStringLiteral("VOLUMEN"), QStringLiteral("127.0.0.1"),
-          QString::number(port_)};
+QJsonArray Receiver::studies() const {
+  const Outcome listed =
+      runProgram({QStringLiteral("list"), QStringLiteral("--index"), index(), QStringLiteral("--json")});
+  return QJsonDocument::fromJson(listed.out)[QStringLiteral("studies")].toArray();
+}
+
+QStringList Receiver::call(const QStringList& options) const {
+  QStringList arguments = options;
+  if (!options.contains(QLatin1String("-aec")))
+    arguments << QStringLiteral("-aec") << QStringLiteral("VOLUMEN");
+  return arguments << QStringLiteral("127.0.0.1") << QString::number(port_);
+}
+
+int Receiver::send(const QStringList& files, const QStringList& options) const {
+  return statusOfPeer(QStringLiteral("storescu"), call(options) + files);
+}
+
+int Receiver::echo(const QStringList& options) const {
+  return statusOfPeer(QStringLiteral("echoscu"), call(options));
 }
 
 std::unique_ptr<QTcpSocket> Receiver::connection(const QByteArray& bytes) const {
@@ -52,6 +76,10 @@ std::unique_ptr<QTcpSocket> Receiver::connection(const QByteArray& bytes) const 
   if (socket->waitForConnected(5000) && !bytes.isEmpty())
     socket->write(bytes), socket->waitForBytesWritten(5000);
   return socket;
+}
+
+bool isClosed(QTcpSocket& socket) {
+  return socket.state() == QAbstractSocket::UnconnectedState || socket.waitForDisconnected(15000);
 }
 
 QString writeImage(const QString& path, const char* study, const char* instance, const char* patient,

@@ -3,6 +3,7 @@
 #include <signal.h>
 #include <sys/resource.h>
 
+#include <QJsonArray>
 #include <QTcpSocket>
 #include <QTemporaryDir>
 #include <memory>
@@ -12,43 +13,48 @@
 
 namespace volumen::tests {
 
-/// Runs a program of DCMTK. Returns its exit status.
-int statusOfPeer(const QString& program, const QStringList& arguments);
-
-/// `volumen archive receive` while it runs.
+/// `volumen archive receive` while it runs, and its peers.
 class Receiver {
  public:
-  /// `fields` are further ones of "listen". `mostBytes`: largest file that it may write, if not 0.
+  /// `fields` are further ones of "listen": R"(, "ae": "X")". `mostBytes`: largest file that it may write, if
+  /// not 0.
   explicit Receiver(const QByteArray& fields = {}, rlim_t mostBytes = 0);
 
-  /// Starts it with a folder or an index and waits until it listens.
+  /// Start it and wait until it listens. It receives into output(), or into index().
   bool start(const QStringList& more = {});
+  bool startIntoIndex();
+  /// Ends it by Ctrl-C. Returns its output.
+  QByteArray interrupted() { return endsBy(SIGINT) ? program_->outcome().out : "it ends in another way"; }
+  /// Sends a signal. Returns whether it ends by that.
+  bool endsBy(int signal) { return program_->endsBy(signal); }
+
   int port() const { return port_; }
   QString output() const { return folder_.filePath(QStringLiteral("received")); }
-  /// Returns all that is in its folder, also what is not complete.
+  QString index() const { return folder_.filePath(QStringLiteral("index")); }
+  /// Returns the files that it received into output(), complete or not.
   QStringList files() const;
-  /// Sends files by storescu.
-  int send(const QStringList& files, const QStringList& options = {}) const {
-    return statusOfPeer(QStringLiteral("storescu"), options + address() + files);
-  }
-  int echo(const QStringList& options = {}) const {
-    return statusOfPeer(QStringLiteral("echoscu"), options + address());
-  }
-  /// Returns the arguments of DCMTK's programs that name it.
-  QStringList address() const;
-  /// Returns a connection over which bytes were sent.
-  std::unique_ptr<QTcpSocket> connection(const QByteArray& bytes) const;
-  /// Ends it by Ctrl-C. Returns its output; empty if it ends in another way.
-  QByteArray interrupted() { return program_->endsBy(SIGINT) ? program_->outcome().out : QByteArray(); }
-  /// Ends it at once. Returns whether it did.
-  bool killed() { return program_->endsBy(SIGKILL); }
+  /// Returns the studies in index().
+  QJsonArray studies() const;
+
+  /// Returns the arguments for a program of DCMTK that calls it; `options` may name another called AE title.
+  QStringList call(const QStringList& options = {}) const;
+  /// Run a program of DCMTK against it. Return its exit status; -1 if it does not end by itself.
+  int send(const QStringList& files, const QStringList& options = {}) const;
+  int echo(const QStringList& options = {}) const;
+  /// Returns a connection over which these bytes were sent.
+  std::unique_ptr<QTcpSocket> connection(const QByteArray& bytes = {}) const;
 
  private:
+  bool startInto(const QString& option, const QString& folder, const QStringList& more);
+
   QTemporaryDir folder_;
   std::optional<RunningArchive> program_;
   const int port_;
   const rlim_t mostBytes_;
 };
+
+/// Waits until a peer has closed a connection. Returns whether it does so within some seconds.
+bool isClosed(QTcpSocket& socket);
 
 /// Writes an image, without a UID where that is empty. Returns its path.
 QString writeImage(const QString& path, const char* study, const char* instance,

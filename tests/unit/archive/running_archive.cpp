@@ -2,6 +2,8 @@
 
 #include <signal.h>
 
+#include <QElapsedTimer>
+
 namespace volumen::tests {
 
 RunningArchive::RunningArchive(const QStringList& words, const std::function<void()>& before) {
@@ -14,6 +16,15 @@ RunningArchive::~RunningArchive() {
   process_.waitForFinished();
 }
 
+bool RunningArchive::says(const QByteArray& words) {
+  QElapsedTimer since;
+  for (since.start(); !err_.contains(words) && since.elapsed() < 20000;) {
+    if (!process_.waitForReadyRead(50) && process_.state() == QProcess::NotRunning) return false;
+    err_ += process_.readAllStandardError();
+  }
+  return err_.contains(words);
+}
+
 bool RunningArchive::endsBy(int signal) {
   if (process_.waitForStarted()) ::kill(pid_t(process_.processId()), signal);
   return hasEnded() && process_.exitStatus() == QProcess::CrashExit && process_.exitCode() == signal;
@@ -22,7 +33,7 @@ bool RunningArchive::endsBy(int signal) {
 Outcome RunningArchive::outcome() {
   const bool isExit = hasEnded() && process_.exitStatus() == QProcess::NormalExit;
   return {isExit ? process_.exitCode() : -1, process_.readAllStandardOutput(),
-          process_.readAllStandardError()};
+          err_ + process_.readAllStandardError()};
 }
 
 bool RunningArchive::hasEnded() {

@@ -14,6 +14,8 @@ class RunningArchive {
   explicit RunningArchive(const QStringList& words, const std::function<void()>& before = {});
   ~RunningArchive();
 
+  /// Waits until it writes these words to stderr. Returns whether it does before it ends.
+  bool says(const QByteArray& words);
   /// Sends a signal and waits for the end. Returns whether that was by this signal.
   bool endsBy(int signal);
   /// Waits for its end. Returns the exit status (-1: none) and what it wrote.
@@ -23,6 +25,7 @@ class RunningArchive {
   bool hasEnded();
 
   QProcess process_;
+  QByteArray err_;
 };
 
 }  // namespace volumen::tests

@@ -3,7 +3,7 @@
 #include <QByteArrayList>
 #include <QMutex>
 
-#include "tests/unit/archive/peer_process.h"
+#include "tests/unit/archive/fake_scp.h"
 
 namespace volumen::tests {
 
@@ -12,20 +12,14 @@ namespace volumen::tests {
 class TakingPeer {
  public:
   /// It takes only these transfer syntaxes; if none are given, the first that is proposed in each context.
-  explicit TakingPeer(QByteArrayList syntaxes = {});
+  explicit TakingPeer(const QByteArrayList& syntaxes = {});
   int port() const { return peer_.port(); }
   QByteArrayList dataSets() const;
 
  private:
-  void serve(QTcpSocket& socket);
-  QByteArray accepted(const QByteArray& request) const;
-  QByteArray answerTo(const QByteArray& pdu);
-
-  const QByteArrayList syntaxes_;
   mutable QMutex mutex_;
   QByteArrayList dataSets_;
-  QByteArray command_, data_;  // of the message that is coming
-  FakePeer peer_;
+  FakeScp peer_;
 };
 
 }  // namespace volumen::tests

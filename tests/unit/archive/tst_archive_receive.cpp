@@ -132,9 +132,7 @@ void TestArchiveReceive::onlyThoseWhoMayAreAnswered() {
   QFETCH(QByteArray, told);
   Receiver receiver(fields);
   QVERIFY(receiver.start());
-  const int status = statusOfPeer(QStringLiteral("echoscu"),
-                                  {QStringLiteral("-aet"), calling, QStringLiteral("-aec"), called,
-                                   QStringLiteral("127.0.0.1"), QString::number(receiver.port())});
+  const int status = receiver.echo({QStringLiteral("-aet"), calling, QStringLiteral("-aec"), called});
   QCOMPARE(status == 0, told.startsWith("verified"));
   QCOMPARE(receiver.interrupted(), calling.toUtf8() + " (127.0.0.1): " + told + '\n');
 }
@@ -154,7 +152,7 @@ void TestArchiveReceive::peersAtOnceLoseNothing() {
     QProcess& process = *sending.emplace_back(std::make_unique<QProcess>());
     process.setStandardOutputFile(QProcess::nullDevice());
     process.setStandardErrorFile(QProcess::nullDevice());
-    process.start(QStringLiteral("storescu"), receiver.address() + files);
+    process.start(QStringLiteral("storescu"), receiver.call() + files);
   }
   for (const auto& process : sending) {
     QVERIFY(process->waitForFinished(60000));
@@ -217,20 +215,13 @@ void TestArchiveReceive::namesFromPeersAreNoPaths() {
 }
 
 void TestArchiveReceive::whatCameIsInTheIndex() {
-  const QString index = in("index");
-  const auto studies = [&] {
-    return uidsOf(QJsonDocument::fromJson(runProgram({QStringLiteral("list"), QStringLiteral("--index"),
-                                                      index, QStringLiteral("--json")})
-                                              .out)[QStringLiteral("studies")]
-                      .toArray());
-  };
   Receiver receiver;
-  QVERIFY(receiver.start({QStringLiteral("--index"), index}));
+  QVERIFY(receiver.startIntoIndex());
   QCOMPARE(receiver.send({write("first.dcm", "1.2.3", "1.2.3.1.1")}), 0);
-  QTRY_COMPARE_WITH_TIMEOUT(studies(), QStringList{QStringLiteral("1.2.3")}, 20000);
+  QTRY_COMPARE_WITH_TIMEOUT(uidsOf(receiver.studies()), QStringList{QStringLiteral("1.2.3")}, 20000);
   QCOMPARE(receiver.send({write("second.dcm", "1.2.4", "1.2.4.1.1")}), 0);
-  QVERIFY(!receiver.interrupted().isEmpty());
-  QCOMPARE(studies(), (QStringList{QStringLiteral("1.2.3"), QStringLiteral("1.2.4")}));
+  QVERIFY(receiver.endsBy(SIGINT));
+  QCOMPARE(uidsOf(receiver.studies()), (QStringList{QStringLiteral("1.2.3"), QStringLiteral("1.2.4")}));
 }
 
 void TestArchiveReceive::eachInstanceIsALineOfJson() {

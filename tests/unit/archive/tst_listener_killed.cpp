@@ -4,7 +4,7 @@
 
 #include "tests/fixtures/program.h"
 #include "tests/unit/archive/archived_studies.h"
-#include "tests/unit/archive/listener_process.h"
+#include "tests/unit/archive/receiver.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -15,6 +15,13 @@ class TestListenerKilled : public QObject {
   void initTestCase();
   void whatCameBeforeAKillIsInTheIndexAfterTheNextStart();
   void aForgottenStudyStaysForgotten();
+
+ private:
+  QString image(const char* study, const char* instance) const {
+    return writeImage(folder_.filePath(QLatin1String(instance)), study, instance);
+  }
+
+  QTemporaryDir folder_;
 };
 
 void TestListenerKilled::initTestCase() {
@@ -23,28 +30,26 @@ void TestListenerKilled::initTestCase() {
 }
 
 void TestListenerKilled::whatCameBeforeAKillIsInTheIndexAfterTheNextStart() {
-  ListenerProcess listener;
-  QVERIFY(listener.start(true));
-  QCOMPARE(listener.send({listener.writeImage("1.2.3", "1.2.3.1.1")}), 0);
-  listener.kill();
-  QVERIFY(listener.start(true));
-  QTRY_COMPARE_WITH_TIMEOUT(uidsOf(listener.studies()), QStringList{QStringLiteral("1.2.3")}, 20000);
-  QTRY_VERIFY(QDir(listener.index() + QStringLiteral("/arrived")).isEmpty());
+  Receiver receiver;
+  QVERIFY(receiver.startIntoIndex());
+  QCOMPARE(receiver.send({image("1.2.3", "1.2.3.1.1")}), 0);
+  QVERIFY(receiver.endsBy(SIGKILL));
+  QVERIFY(receiver.startIntoIndex());
+  QTRY_COMPARE_WITH_TIMEOUT(uidsOf(receiver.studies()), QStringList{QStringLiteral("1.2.3")}, 20000);
+  QTRY_VERIFY(QDir(receiver.index() + QStringLiteral("/arrived")).isEmpty());
 }
 
 void TestListenerKilled::aForgottenStudyStaysForgotten() {
-  ListenerProcess listener;
-  QVERIFY(listener.start(true));
-  QCOMPARE(
-      listener.send({listener.writeImage("1.2.3", "1.2.3.1.1"), listener.writeImage("1.2.4", "1.2.4.1.1")}),
-      0);
-  QVERIFY(listener.interrupted());
+  Receiver receiver;
+  QVERIFY(receiver.startIntoIndex());
+  QCOMPARE(receiver.send({image("1.2.3", "1.2.3.1.1"), image("1.2.4", "1.2.4.1.1")}), 0);
+  QVERIFY(receiver.endsBy(SIGINT));
   const Outcome forgotten = runProgram(
-      {QStringLiteral("forget"), QStringLiteral("1.2.3"), QStringLiteral("--index"), listener.index()});
+      {QStringLiteral("forget"), QStringLiteral("1.2.3"), QStringLiteral("--index"), receiver.index()});
   QVERIFY2(forgotten.status == 0, forgotten.err);
-  QVERIFY(listener.start(true));
-  QVERIFY(listener.interrupted());
-  QCOMPARE(uidsOf(listener.studies()), QStringList{QStringLiteral("1.2.4")});
+  QVERIFY(receiver.startIntoIndex());
+  QVERIFY(receiver.endsBy(SIGINT));
+  QCOMPARE(uidsOf(receiver.studies()), QStringList{QStringLiteral("1.2.4")});
 }
 
 VOLUMEN_TEST(TestListenerKilled);

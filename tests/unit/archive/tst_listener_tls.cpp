@@ -6,8 +6,8 @@
 #include <QTemporaryDir>
 
 #include "tests/fixtures/program.h"
-#include "tests/unit/archive/dicom_pdus.h"
-#include "tests/unit/archive/listener_process.h"
+#include "tests/unit/archive/pdus.h"
+#include "tests/unit/archive/receiver.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -73,31 +73,30 @@ void TestListenerTls::onlyPeersWhoEncryptAreAnswered() {
   QFETCH(QByteArray, tls);
   QFETCH(QString, options);
   QFETCH(bool, isAnswered);
-  ListenerProcess listener(settings(tls.constData()));
-  QVERIFY(listener.start());
+  Receiver receiver(settings(tls.constData()));
+  QVERIFY(receiver.start());
   options.replace(QLatin1String("FOLDER"), folder_.path());
   const QStringList words = options.split(QLatin1Char(' '), Qt::SkipEmptyParts);
-  const QStringList image{listener.writeImage("1.2.3", "1.2.3.1.1")};
-  QCOMPARE(listener.statusOf(QStringLiteral("storescu"), words, image) == 0, isAnswered);
-  QCOMPARE(listener.files().size(), isAnswered ? 1 : 0);
-  const std::optional<QByteArray> said = listener.interrupted();
-  QVERIFY(said);
-  if (isAnswered) QCOMPARE(*said, QByteArray("STORESCU (127.0.0.1): 1 image received.\n"));
+  const QStringList image{writeImage(in("image.dcm"), "1.2.3", "1.2.3.1.1")};
+  QCOMPARE(receiver.send(image, words) == 0, isAnswered);
+  QCOMPARE(receiver.files().size(), isAnswered ? 1 : 0);
+  const QByteArray said = receiver.interrupted();
+  if (isAnswered) QCOMPARE(said, QByteArray("STORESCU (127.0.0.1): 1 image received.\n"));
+  if (tls.isEmpty()) QCOMPARE(said, QByteArray());
   if (!isAnswered && !tls.isEmpty())
-    QVERIFY2(said->startsWith("A peer (127.0.0.1): was cut off: it does not agree on TLS"), *said);
+    QVERIFY2(said.startsWith("A peer (127.0.0.1): was cut off: it does not agree on TLS"), said);
 }
 
 void TestListenerTls::aSlowHandshakeIsCutOff() {
-  ListenerProcess listener(
-      settings(R"(, "tls": {"certificate": "FOLDER/our.pem", "key": "FOLDER/our.key"})"));
-  QVERIFY(listener.start());
-  const auto slow = listener.connection(QByteArray::fromHex("16030100c8"));
+  Receiver receiver(settings(R"(, "tls": {"certificate": "FOLDER/our.pem", "key": "FOLDER/our.key"})"));
+  QVERIFY(receiver.start());
+  const auto slow = receiver.connection(QByteArray::fromHex("16030100c8"));
   for (int n = 0; n < 100 && slow->state() == QAbstractSocket::ConnectedState; ++n) {
     slow->write("\1", 1);
     slow->waitForDisconnected(200);
   }
   QCOMPARE(slow->state(), QAbstractSocket::UnconnectedState);
-  QCOMPARE(listener.statusOf(QStringLiteral("echoscu"), {QStringLiteral("+tla"), QStringLiteral("-ic")}), 0);
+  QCOMPARE(receiver.echo({QStringLiteral("+tla"), QStringLiteral("-ic")}), 0);
 }
 
 void TestListenerTls::filesThatCannotBeUsedAreNamed_data() {
@@ -148,17 +147,17 @@ void TestListenerTls::addressesOfBothKindsAreListenedAt() {
   QFETCH(QByteArray, told);
   if (!QFile::exists(QStringLiteral("/proc/net/if_inet6")) && address.contains(':'))
     QSKIP("this machine has no IPv6");
-  ListenerProcess listener(", \"address\": \"" + address + '"');
-  QVERIFY(listener.start());
+  Receiver receiver(", \"address\": \"" + address + '"');
+  QVERIFY(receiver.start());
   QTcpSocket socket;
-  socket.connectToHost(peer, quint16(listener.port()));
+  socket.connectToHost(peer, quint16(receiver.port()));
   QVERIFY(socket.waitForConnected(5000));
-  socket.write(pdu::associate() + pdu::store() + pdu::release());
+  socket.write(associationRequest() + storagePdus() + releaseRequest());
   const QByteArray releaseAnswer("\6\0\0\0\0\4\0\0\0\0", 10);
   for (QByteArray answers; !answers.endsWith(releaseAnswer); answers += socket.readAll())
     QVERIFY(socket.waitForReadyRead(10000));
-  QCOMPARE(listener.files().size(), 1);
-  QCOMPARE(listener.interrupted().value_or(QByteArray()), told + "1 image received.\n");
+  QCOMPARE(receiver.files().size(), 1);
+  QCOMPARE(receiver.interrupted(), told + "1 image received.\n");
 }
 
 VOLUMEN_TEST(TestListenerTls);
