@@ -127,7 +127,7 @@ int query(const ArchiveOptions& options, const CancelToken& cancel) {
   const auto answers = searchArchive(*archive, asked, {}, cancel);
   if (!answers) return failed(options, nothing, cancel.cancelled() ? "Interrupted." : answers.message());
   print(*answers, options);
-  return exitDone;
+  return answers->isBroken ? exitLosses : exitDone;
 }
 
 // Removes fetched studies that are too much.
@@ -219,7 +219,8 @@ void tellReasons(const SendReport& report) {
 
 int send(const ArchiveOptions& options, const CancelToken& cancel) {
   const auto failedBecause = [&](const std::string& sentence) {
-    return failed(options, {{"sent", 0}}, cancel.cancelled() ? "Interrupted; what was sent stays in the archive." : sentence);
+    return failed(options, {{"sent", 0}},
+                  cancel.cancelled() ? "Interrupted; what was sent stays in the archive." : sentence);
   };
   const auto archive = chosen(options);
   if (!archive) return failedBecause(archive.message());

@@ -86,15 +86,16 @@ class DimseProtocol : public ArchiveProtocol {
     return association ? association->echo() : association.error();
   }
 
-  Result<std::string> find(DcmDataset& keys, const std::function<bool(DcmDataset&)>& onAnswer) override {
+  Result<SearchEnd> find(DcmDataset& keys, const std::function<bool(DcmDataset&)>& onAnswer) override {
     if (!finder_) {
       auto association = Association::open(archive_, {plainService(findModel)}, cancel_);
       if (!association) return association.error();
       finder_.emplace(std::move(*association));
     }
-    auto found = finder_->find(findModel, keys, onAnswer);
-    if (!found) finder_.reset();
-    return found;
+    const auto refusal = finder_->find(findModel, keys, onAnswer);
+    if (refusal) return SearchEnd{*refusal};
+    finder_.reset();
+    return refusal.error();
   }
 
   Status send(const std::vector<SentInstance>& instances, const OnSent& onSent) override {

@@ -77,8 +77,10 @@ class Listing {
 
   // The Error: a list that the archive ends early would count too few.
   Status list(DcmDataset& keys, const std::function<bool(const Answer&)>& onAnswer) {
-    return ended(protocol_.find(
-        keys, [&](DcmDataset& data) { return onAnswer(Answer(data, archive_.characterSet)); }));
+    const auto end =
+        protocol_.find(keys, [&](DcmDataset& data) { return onAnswer(Answer(data, archive_.characterSet)); });
+    if (!end) return end.error();
+    return end->early.empty() ? Status() : Error{end->early};
   }
 
   ArchiveProtocol& protocol_;

@@ -33,6 +33,12 @@ struct SentInstance {
   dicom::InstanceUids uids;
 };
 
+/// How a search ended.
+struct SearchEnd {
+  std::string early;     ///< why the archive ended it early, a sentence; empty if it did not
+  bool isLimit = false;  ///< it may only have reached its own limit of answers
+};
+
 using OnSent = std::function<void(std::size_t instance, const std::string& refusal)>;
 
 /// The protocol that an archive speaks. It connects when it needs to. Errors are sentences that name the
@@ -45,9 +51,8 @@ class ArchiveProtocol {
   virtual Status test() = 0;
 
   /// Asks for all data sets that match `keys` at their Query/Retrieve Level (keysAt()). `onAnswer` returns
-  /// whether it wants more. Returns a sentence on why the archive ended the search early; empty if the
-  /// answers are complete or not wanted.
-  virtual Result<std::string> find(DcmDataset& keys, const std::function<bool(DcmDataset&)>& onAnswer) = 0;
+  /// whether it wants more.
+  virtual Result<SearchEnd> find(DcmDataset& keys, const std::function<bool(DcmDataset&)>& onAnswer) = 0;
 
   /// Sends instances. `onSent` gets the number of each, and why the archive does not keep it: a sentence,
   /// empty if it does. It may be called from several threads, one at a time. The Error: why the rest was not

@@ -88,7 +88,7 @@ class Search {
       if (Status s = ask(keys); !s) return s.error();
       if (full_) break;
     }
-    if (found_.empty() && !refusal_.empty()) return Error{refusal_};
+    if (found_.empty() && !end_.early.empty()) return Error{end_.early};
     for (ArchiveStudy& study : found_)
       if (Status s = complete(study); !s) return s.error();
     // A study whose modalities came late may lack one of the words.
@@ -98,16 +98,17 @@ class Search {
     const auto time = [](const ArchiveStudy& s) { return s.study.date + s.study.time; };
     std::ranges::stable_sort(found_, std::greater(), time);
     for (std::size_t n = 0; n < found_.size(); ++n) found_[n].study.id = std::int64_t(n) + 1;
-    return ArchiveAnswers{std::move(found_), full_ ? notAll() : refusal_};
+    if (full_) end_ = {notAll(), true};
+    return ArchiveAnswers{std::move(found_), end_.early, !end_.early.empty() && !end_.isLimit};
   }
 
-  // Returns the series of a study. Sets `refusal` to why the archive ended their list early.
-  Result<std::vector<IndexedSeries>> seriesIn(const std::string& studyUid, std::string& refusal) {
+  // Returns the series of a study. Sets `end` to how their list ended.
+  Result<std::vector<IndexedSeries>> seriesIn(const std::string& studyUid, SearchEnd& end) {
     DcmDataset data = seriesKeysOf(studyUid);
     std::vector<IndexedSeries> all;
     std::set<std::string> known;
     int answers = 0;
-    const auto refused = protocol_.find(data, [&](DcmDataset& one) {
+    const auto ended = protocol_.find(data, [&](DcmDataset& one) {
       const Answer answer(one, archive_.characterSet);
       IndexedSeries series = seriesOf(answer);
       const std::string of = answer.text(DCM_StudyInstanceUID);
@@ -116,8 +117,8 @@ class Search {
         all.push_back(std::move(series));
       return ++answers < mostSeries;
     });
-    if (!refused) return refused.error();
-    refusal = *refused;
+    if (!ended) return ended.error();
+    end = *ended;
     return all;
   }
 
@@ -130,15 +131,20 @@ class Search {
 
   Status ask(const StudyKeys& keys) {
     DcmDataset data = dataSetOf(keys);
-    const auto refusal = protocol_.find(data, [&](DcmDataset& one) {
+    const auto ended = protocol_.find(data, [&](DcmDataset& one) {
       // An archive that ignores a key sends everything, and a faulty one never ends.
       full_ = full_ || ++answers_ > 10 * std::int64_t(query_.limit) + 1000;
       add(studyOf(Answer(one, archive_.characterSet)));
       return !full_;
     });
-    if (!refusal) return refusal.error();
-    if (!refusal->empty()) refusal_ = *refusal;
+    if (!ended) return ended.error();
+    note(*ended);
     return {};
+  }
+
+  // A failure says more than a limit.
+  void note(const SearchEnd& end) {
+    if (!end.early.empty() && (end_.early.empty() || end_.isLimit)) end_ = end;
   }
 
   // Archives repeat studies, and may ignore a key.
@@ -162,15 +168,15 @@ class Search {
         std::ranges::any_of(words_, [](const SearchWord& word) { return !word.modality.empty(); });
     const bool lacksModalities = study.study.modalities.empty() && asksModality;
     if (!query_.withSeries && !lacksModalities) return {};
-    std::string refusal;
-    Result<std::vector<IndexedSeries>> series = seriesIn(study.study.studyUid, refusal);
+    SearchEnd end;
+    Result<std::vector<IndexedSeries>> series = seriesIn(study.study.studyUid, end);
     if (!series) return series.error();
-    if (!refusal.empty()) refusal_ = refusal;
+    note(end);
     study.series = std::move(*series);
     std::string modalities;
     for (const IndexedSeries& one : study.series) modalities += one.modality + " ";
     if (study.study.modalities.empty()) study.study.modalities = listed(modalities);
-    if (study.study.series < 0 && refusal.empty()) study.study.series = int(study.series.size());
+    if (study.study.series < 0 && end.early.empty()) study.study.series = int(study.series.size());
     if (!query_.withSeries) study.series.clear();
     return {};
   }
@@ -186,7 +192,7 @@ class Search {
   std::set<std::string> known_;
   std::int64_t answers_ = 0;
   bool full_ = false;
-  std::string refusal_;
+  SearchEnd end_;
 };
 
 }  // namespace
@@ -204,9 +210,9 @@ Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery&
 Result<std::vector<IndexedSeries>> seriesOfArchiveStudy(const Archive& archive, const std::string& studyUid,
                                                         const CancelToken& cancel) {
   const auto protocol = protocolOf(archive, cancel);
-  std::string refusal;
-  auto series = Search(*protocol, archive, {}, {}).seriesIn(studyUid, refusal);
-  if (series && series->empty() && !refusal.empty()) return Error{refusal};
+  SearchEnd end;
+  auto series = Search(*protocol, archive, {}, {}).seriesIn(studyUid, end);
+  if (series && series->empty() && !end.early.empty()) return Error{end.early};
   return series;
 }
 

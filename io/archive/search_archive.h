@@ -27,6 +27,7 @@ struct ArchiveAnswers {
   /// Why there may be more: a limit was reached, or the archive ended the search. One sentence; empty if
   /// these are all.
   std::string incomplete;
+  bool isBroken = false;  ///< `incomplete` is a failure of the archive, and no limit
 };
 
 /// Verifies that an archive answers. The Error says in one sentence what is wrong.

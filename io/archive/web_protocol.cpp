@@ -182,12 +182,12 @@ class WebProtocol : public ArchiveProtocol {
   }
 
   // Some archives compare names without wildcards, but fuzzily.
-  Result<std::string> find(DcmDataset& keys, const std::function<bool(DcmDataset&)>& onAnswer) override {
+  Result<SearchEnd> find(DcmDataset& keys, const std::function<bool(DcmDataset&)>& onAnswer) override {
     std::set<std::string> known;
     const auto found = findPages(keys, false, known, onAnswer);
     const bool isOfName = isOfStudies(keys) && !Answer(keys, "").text(DCM_PatientName).empty();
-    return found && found->empty() && known.empty() && isOfName ? findPages(keys, true, known, onAnswer)
-                                                                : found;
+    return found && found->early.empty() && known.empty() && isOfName ? findPages(keys, true, known, onAnswer)
+                                                                      : found;
   }
 
   Status send(const std::vector<SentInstance>& instances, const OnSent& onSent) override {
@@ -223,29 +223,31 @@ class WebProtocol : public ArchiveProtocol {
   }
 
   // Archives have page sizes of their own, and some know no pages: the last page brings nothing new.
-  Result<std::string> findPages(DcmDataset& keys, bool isFuzzy, std::set<std::string>& known,
-                                const std::function<bool(DcmDataset&)>& onAnswer) {
+  Result<SearchEnd> findPages(DcmDataset& keys, bool isFuzzy, std::set<std::string>& known,
+                              const std::function<bool(DcmDataset&)>& onAnswer) {
     bool hasMore = false;
     for (int offset = 0;;) {
       TextBody body(exchange_);
       const auto answer =
           exchange_.send({searchTarget(keys, int(pageSize), offset, isFuzzy), jsonType, {}}, body.onBody());
       if (!answer) return answer.error();
-      if (answer->status == 404 && offset == 0 && !isOfStudies(keys)) return std::string();
-      if (!isSuccess(*answer)) return refusal(*answer).message;
-      if (!isPage(body.text())) return exchange_.says("does not answer the search in JSON").message;
+      if (answer->status == 404 && offset == 0 && !isOfStudies(keys)) return SearchEnd();
+      if (!isSuccess(*answer)) return SearchEnd{refusal(*answer).message};
+      if (!isPage(body.text()))
+        return SearchEnd{exchange_.says("does not answer the search in JSON").message};
       const std::size_t before = known.size();
       std::size_t answers = 0;
       const bool isMoreWanted = givePage(body.text(), keys, known, onAnswer, answers);
       if (cancel_.cancelled()) return Error{"cancelled"};
-      if (!isMoreWanted) return std::string();
+      if (!isMoreWanted) return SearchEnd();
       // An archive that knows no pages sends the first again; a round number of answers is a limit of its
       // own.
       const bool isCapped = isOfStudies(keys) && answers > 0 && answers < pageSize && answers % 50 == 0;
       if (known.size() == before)
         return hasMore || isCapped
-                   ? exchange_.says("may have more than it sends: add a word or a date").message
-                   : std::string();
+                   ? SearchEnd{exchange_.says("may have more than it sends: add a word or a date").message,
+                               true}
+                   : SearchEnd();
       hasMore = answer->isPart || answer->status == 206;
       offset += int(answers);
     }

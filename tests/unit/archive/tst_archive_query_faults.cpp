@@ -77,7 +77,7 @@ void TestArchiveQueryFaults::addThoseThatLie() {
   addSearch("all is well", last({}), 0, 1, "");
   addSearch("the answer to another message", last({.idOffset = 7}), 1, 0, "does not keep to DICOM (DIMSE");
   addSearch("no status", last({.hasStatus = false}), 1, 0, "does not keep to DICOM (DIMSE");
-  addSearch("a status that nobody knows", last({.status = 0x0123}), 0, 1,
+  addSearch("a status that nobody knows", last({.status = 0x0123}), 3, 1,
             "ended the search with status 0123.");
   addSearch("an answer of another service", studyThen([](DimseMessage request) {
               request.command.replace(commandElement(0x0100, findRequest),
