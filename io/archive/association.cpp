@@ -253,8 +253,6 @@ Status Association::echo() {
 
 namespace {
 
-// One answer lists a study, a series or an instance.
-constexpr std::uint64_t mostBytesOfAnswer = mostBytesOfCommand;
 constexpr std::chrono::minutes mostTimeOfAnswer{2};
 constexpr int mostAfterCancel = 10000;
 
@@ -269,7 +267,7 @@ struct Answers {
 
 void onFound(void* data, T_DIMSE_C_FindRQ* request, int, T_DIMSE_C_FindRSP*, DcmDataset* answer) {
   Answers& answers = *static_cast<Answers*>(data);
-  answers.watch.allow(mostBytesOfAnswer, mostTimeOfAnswer);
+  answers.watch.allow(mostBytesOfCommand, mostTimeOfAnswer);
   if (answers.stopped) {
     // Answers on the way are dropped, unless they never end.
     if (++answers.dropped > mostAfterCancel) answers.watch.sentTooMuch = true, answers.watch.bytesLeft = 0;
@@ -301,7 +299,7 @@ Result<std::string> Association::find(const std::string& model, DcmDataset& keys
   request.DataSetType = DIMSE_DATASET_PRESENT;
   request.Priority = DIMSE_PRIORITY_MEDIUM;
   Answers answers{p_->association, p_->watch, context, onAnswer};
-  p_->watch.allow(mostBytesOfAnswer, mostTimeOfAnswer);
+  p_->watch.allow(mostBytesOfCommand, mostTimeOfAnswer);
   T_DIMSE_C_FindRSP response{};
   DcmDataset* detail = nullptr;
   int count = 0;

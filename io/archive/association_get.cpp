@@ -3,6 +3,7 @@
 #include <dcmtk/dcmdata/dcdatset.h>
 
 #include <cstring>
+#include <utility>
 
 #include "io/archive/association_private.h"
 #include "io/archive/receive_data_set.h"
@@ -14,7 +15,8 @@ namespace volumen {
 namespace {
 
 constexpr std::uint64_t mostBytesOfInstance = std::uint64_t(4) << 30;
-constexpr int mostUnwanted = 1000, mostPending = 100000;  // instances and answers, one after the other
+constexpr int mostImagesAfterCancel = 1000;
+constexpr int mostPending = 100000;  // answers, one after the other
 // Some archives fetch from tapes before they send the first instance.
 constexpr std::chrono::minutes mostSilenceOfMove{10};
 
@@ -100,9 +102,8 @@ class Retrieval {
     T_DIMSE_C_StoreRSP response{};
     response.MessageIDBeingRespondedTo = request.MessageID;
     response.DimseStatus = DIC_US(!problem_ ? outOfResources : isKept_ ? 0 : notUnderstood);
-    unwanted_ = isKept_ ? 0 : unwanted_ + 1;
     pending_ = 0;
-    if (unwanted_ > mostUnwanted) return endless();
+    if (isCancelled_ && ++afterCancel_ > mostImagesAfterCancel) return endless();
     response.DataSetType = DIMSE_DATASET_NULL;
     std::memcpy(response.AffectedSOPClassUID, request.AffectedSOPClassUID,
                 sizeof response.AffectedSOPClassUID);
@@ -110,10 +111,8 @@ class Retrieval {
                 sizeof response.AffectedSOPInstanceUID);
     response.opts = O_STORE_AFFECTEDSOPCLASSUID | O_STORE_AFFECTEDSOPINSTANCEUID;
     done = DIMSE_sendStoreResponse(association_, context, &request, &response, nullptr);
-    if (done.good() && !problem_ && !cancelled_) {
-      cancelled_ = true;
+    if (done.good() && !problem_ && !std::exchange(isCancelled_, true))
       done = DIMSE_sendCancelRequest(association_, context_, message_);
-    }
     return done;
   }
 
@@ -122,7 +121,7 @@ class Retrieval {
     bool isWritten = false;
     const OFCondition done = receiveDataSet(association_, context, request, path, isWritten);
     if (done.bad() || !isWritten) sink_->drop();
-    if (done.good() && !isWritten) refuse({path + " cannot be written: is the disk full?"});
+    if (done.good() && !isWritten) refuse(cannotWriteInto(path));
     if (done.bad() || !isWritten) return done;
     // What the command says may be wrong; the data set counts.
     const auto uids = dicom::instanceUids(path);
@@ -147,10 +146,9 @@ class Retrieval {
   const T_ASC_PresentationContextID context_;
   const DIC_US message_;
   InstanceSink* const sink_;
-  int pending_ = 0, unwanted_ = 0;
-  bool isKept_ = false;
+  int pending_ = 0, afterCancel_ = 0;
+  bool isKept_ = false, isCancelled_ = false;
   Status problem_;
-  bool cancelled_ = false;
 };
 
 }  // namespace

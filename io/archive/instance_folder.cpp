@@ -16,6 +16,9 @@ bool InstanceFolder::has(const std::string& sopInstanceUid) const {
 }
 
 Result<std::string> InstanceFolder::begin() {
+  // Those that are dropped count, too: a faulty archive never ends.
+  if (left_ == 0) return Error{"The archive \"" + archive_ + "\" sends more images than it lists."};
+  --left_;
   Result<OutputFile> file = OutputFile::create(folder_ + "/instance.dcm");
   if (!file) return file.error();
   written_.emplace(std::move(*file));
@@ -24,9 +27,6 @@ Result<std::string> InstanceFolder::begin() {
 
 Status InstanceFolder::end(const dicom::InstanceUids& uids) {
   const bool isOfSeries = uids.study == studyUid_ && uids.series == seriesUid_ && !uids.instance.empty();
-  // The same one again counts, too: a faulty archive never ends.
-  if (left_ == 0) return drop(), Error{"The archive \"" + archive_ + "\" sends more images than it lists."};
-  --left_;
   if (!isOfSeries || has(uids.instance)) return drop(), Status();
   std::error_code ignored;
   const std::uintmax_t size = std::filesystem::file_size(written_->asidePath(), ignored);

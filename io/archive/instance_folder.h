@@ -13,8 +13,8 @@ namespace volumen {
 /// A folder of the instances of one series. Each appears whole, under a name made of its UID, or not at all.
 class InstanceFolder : public InstanceSink {
  public:
-  /// `folder` must exist. `onStored` is called after each instance.
-  /// After `most` instances of `archive`, its name, it takes no more.
+  /// `folder` must exist. It takes `most` instances from `archive`, a name, whether it keeps them or not.
+  /// `onStored` is called after each that it keeps.
   InstanceFolder(std::string archive, std::string folder, std::string studyUid, std::string seriesUid,
                  std::size_t most, std::function<void()> onStored = {})
       : archive_(std::move(archive)),

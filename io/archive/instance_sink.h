@@ -3,6 +3,7 @@
 #include <string>
 
 #include "io/dicom/instance_uids.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
 
@@ -20,5 +21,10 @@ class InstanceSink {
   /// Deletes that file: it is not complete.
   virtual void drop() = 0;
 };
+
+/// Returns that a file of begin() could not be written. It names the folder: the file is gone.
+inline Error cannotWriteInto(const std::string& path) {
+  return {"Images cannot be written to " + path.substr(0, path.find_last_of('/')) + ": is the disk full?"};
+}
 
 }  // namespace volumen

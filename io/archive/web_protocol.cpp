@@ -52,14 +52,12 @@ class TextBody {
 // Writes the instances that come into a sink. Those that nobody asked for are dropped.
 class InstanceParts : public PartSink {
  public:
-  InstanceParts(const WantedInstances& wanted, InstanceSink& sink)
-      : sink_(sink), mostParts_(2 * wanted.instances.size() + 1000) {}
+  explicit InstanceParts(InstanceSink& sink) : sink_(sink) {}
   ~InstanceParts() override {
     if (file_.is_open()) sink_.drop();
   }
 
   Status beginPart() override {
-    if (++parts_ > mostParts_) return Error{"sends instances without end"};
     if (file_.is_open()) file_.close();  // the last one was cut off
     auto path = sink_.begin();
     if (!path) return path.error();
@@ -89,12 +87,10 @@ class InstanceParts : public PartSink {
   Status cannotWrite() {
     file_.close();
     sink_.drop();
-    return Error{path_ + " cannot be written: is the disk full?"};
+    return cannotWriteInto(path_);
   }
 
   InstanceSink& sink_;
-  const std::size_t mostParts_;
-  std::size_t parts_ = 0;
   std::string path_;
   std::ofstream file_;
 };
@@ -195,7 +191,7 @@ class WebProtocol : public ArchiveProtocol {
   }
 
   Status retrieve(const WantedInstances& wanted, InstanceSink& sink) override {
-    InstanceParts parts(wanted, sink);
+    InstanceParts parts(sink);
     const std::string series =
         "/studies/" + percentEncoded(wanted.studyUid) + "/series/" + percentEncoded(wanted.seriesUid);
     Status problem;
