@@ -105,7 +105,8 @@ int run(const ListOptions& options) {
 std::function<int()> makeList(CLI::App& app, const CancelToken&) {
   auto options = std::make_shared<ListOptions>();
   app.add_option("WORDS", options->words,
-                 "Only studies that have all of these in name, ID, date, modality or description")
+                 "Only studies that have all of these in name, ID, date (also today, yesterday), modality or "
+                 "description")
       ->type_name("");
   auto* studies = app.add_flag("--studies", options->studies, "One line a study (the default)");
   app.add_flag("--series", options->series, "One line a series")->excludes(studies);

@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "io/index/fold.h"
+#include "io/index/named_day.h"
 
 namespace volumen {
 
@@ -20,11 +21,6 @@ constexpr const char* knownModalities[] = {
     "NM",  "OAM", "OCT", "OP", "OPT",    "OPV",        "OT",     "PLAN",     "PR",       "PT",
     "PX",  "REG", "RF",  "RG", "RTDOSE", "RTIMAGE",    "RTPLAN", "RTRECORD", "RTSTRUCT", "SC",
     "SEG", "SM",  "SMR", "SR", "TG",     "US",         "VL",     "XA",       "XC"};
-
-bool isNow(const QString& word) {
-  return word.compare(QLatin1String("today"), Qt::CaseInsensitive) == 0 ||
-         word.compare(QLatin1String("yesterday"), Qt::CaseInsensitive) == 0;
-}
 
 std::string dicomDate(const QDate& date) { return date.toString(QStringLiteral("yyyyMMdd")).toStdString(); }
 
@@ -39,10 +35,7 @@ QDate dateOf(const QString& text, const char* format) {
 }
 
 std::optional<DateRange> dateRangeOf(const QString& word, const QDate& now) {
-  if (isNow(word)) {
-    const QDate day = now.addDays(word.startsWith(QLatin1Char('y'), Qt::CaseInsensitive) ? -1 : 0);
-    return daysOf(day, day);
-  }
+  if (const QDate day = namedDay(word, now); day.isValid()) return daysOf(day, day);
   for (const char* format : {"yyyy-MM-dd", "yyyyMMdd", "d.M.yyyy"})
     if (const QDate day = dateOf(word, format); day.isValid()) return daysOf(day, day);
   if (const QDate first = dateOf(word, "yyyy-MM"); first.isValid())
@@ -138,7 +131,7 @@ std::vector<SearchWord> searchWords(const std::string& words, const std::string&
     const QString word = QString::fromStdString(typed).normalized(QString::NormalizationForm_C);
     SearchWord one;
     one.dates = dateRangeOf(word, today);
-    if (!isNow(word)) one.text = word.toStdString();
+    if (!namedDay(word, today).isValid()) one.text = word.toStdString();
     const std::string capitals = upper(typed);
     if (std::ranges::find(knownModalities, capitals) != std::end(knownModalities)) one.modality = capitals;
     out.push_back(std::move(one));

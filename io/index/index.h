@@ -46,7 +46,7 @@ struct IndexedStudy {
 enum class StudyOrder { date, patient, modality, imported, opened };
 
 /// Query for `studies`: each word of `words` must occur in name, ID, date, accession number, institution,
-/// modality or a description. Case and accents are ignored, in any script.
+/// modality or a description. Case and accents are ignored, in any script; "today" and "yesterday" are dates.
 struct StudyQuery {
   std::string words;  ///< words as typed; if empty, all studies match
   StudyOrder order = StudyOrder::date;

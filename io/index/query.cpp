@@ -7,6 +7,7 @@
 
 #include "io/index/files_below.h"
 #include "io/index/fold.h"
+#include "io/index/named_day.h"
 
 namespace volumen {
 namespace {
@@ -33,10 +34,20 @@ class Folders {
   std::unordered_map<std::int64_t, bool> online_;
 };
 
+// Returns the words in their search form, and dates for those that name a day.
+std::vector<std::string> datedWords(const std::string& words) {
+  QStringList dated;
+  for (const QString& word : QString::fromStdString(words).split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
+    const QDate day = namedDay(word, QDate::currentDate());
+    dated << (day.isValid() ? day.toString(Qt::ISODate) : word);
+  }
+  return foldedWords(dated.join(QLatin1Char(' ')).toStdString());
+}
+
 // Returns the studies that contain all words, unsorted, with their numbers in the index.
 std::vector<IndexedStudy> matching(Database& db, const std::string& words) {
   std::vector<std::string> patterns;
-  for (const std::string& word : foldedWords(words)) patterns.push_back(likePattern(word));
+  for (const std::string& word : datedWords(words)) patterns.push_back(likePattern(word));
   std::vector<IndexedStudy> studies;
   // SQLite searches for the longest word; the others are searched for in its result.
   std::ranges::sort(patterns, {}, [](const std::string& p) { return -std::ptrdiff_t(p.size()); });

@@ -1,6 +1,5 @@
 #include "ui/controller/index_service.h"
 
-#include <QDate>
 #include <QElapsedTimer>
 #include <QLocale>
 #include <algorithm>
@@ -12,19 +11,6 @@ namespace {
 
 constexpr std::size_t mostRecent = 5;
 constexpr int listAgainEveryMs = 1000;  // during an import
-
-// Returns the words with dates for "today" and "yesterday", which the index does not know.
-std::string withDates(const std::string& words) {
-  QStringList dated;
-  for (const QString& word : QString::fromStdString(words).split(QLatin1Char(' '), Qt::SkipEmptyParts)) {
-    const auto is = [&](const char* name) {
-      return word.compare(QLatin1String(name), Qt::CaseInsensitive) == 0;
-    };
-    const QDate day = QDate::currentDate().addDays(is("yesterday") ? -1 : 0);
-    dated << (is("today") || is("yesterday") ? day.toString(Qt::ISODate) : word);
-  }
-  return dated.join(QLatin1Char(' ')).toStdString();
-}
 
 // The files of a choice and the intent to open them.
 struct ChosenFiles {
@@ -134,9 +120,7 @@ void IndexService::list(const StudyListRequest& request) {
   listing_ = start(
       queries_,
       [request](Index& index, const Job&) -> Result<StudyListPtr> {
-        StudyQuery query;
-        query.words = withDates(request.words);
-        Result<std::vector<IndexedStudy>> studies = index.studies(query);
+        Result<std::vector<IndexedStudy>> studies = index.studies({.words = request.words});
         if (!studies) return studies.error();
         const std::size_t recent = request.words.empty() ? mostRecent : 0;
         return std::make_shared<const StudyList>(listedStudies(std::move(*studies), request.sort, recent));

@@ -24,7 +24,7 @@ void IndexFolder::add(const MadeFile& file) const {
     data.putAndInsertString(DCM_SpecificCharacterSet, "ISO_IR 192");
     data.putAndInsertString(DCM_PatientName, file.patient.c_str());
     data.putAndInsertString(DCM_StudyInstanceUID, file.study.c_str());
-    data.putAndInsertString(DCM_StudyDate, "20261124");
+    data.putAndInsertString(DCM_StudyDate, file.date.c_str());
     data.putAndInsertString(DCM_StudyDescription, file.studyDescription.c_str());
     data.putAndInsertString(DCM_SOPInstanceUID,
                             (file.series + "." + std::to_string(1000 + file.slice)).c_str());

@@ -16,6 +16,7 @@ struct MadeFile {
   int slice = 0;  ///< position along the stack and voxel value
   std::string studyDescription = {};
   std::string institution = "Hôpital Saint-Louis";
+  std::string date = "20261124";  ///< of the study
 };
 
 /// A temporary folder of data, and another for its index.

@@ -1,5 +1,6 @@
 // Guards the index (import.md): studies are found in any script, sorted, forgotten and restored. A series has
 // a thumbnail.
+#include <QDate>
 #include <QImage>
 #include <QRandomGenerator>
 #include <filesystem>
@@ -36,6 +37,7 @@ class TestIndexQueries : public QObject {
   void textIsFolded();
   void wordsFind_data();
   void wordsFind();
+  void daysHaveNames();
   void studiesAreSorted_data();
   void studiesAreSorted();
   void factsAreKept();
@@ -130,6 +132,25 @@ void TestIndexQueries::wordsFind() {
   const Index index = folder.open();
   QCOMPARE(found(index, {.words = words.toStdString(), .order = StudyOrder::patient, .ascending = true}),
            patients);
+}
+
+void TestIndexQueries::daysHaveNames() {
+  const IndexFolder folder;
+  const auto add = [&](const char* patient, const char* study, int daysAgo) {
+    const QDate day = QDate::currentDate().addDays(-daysAgo);
+    folder.add({.name = study,
+                .patient = patient,
+                .study = study,
+                .series = std::string(study) + ".1",
+                .date = day.toString(QStringLiteral("yyyyMMdd")).toStdString()});
+  };
+  add("New^Nora", "1.1", 0);
+  add("Old^Olaf", "1.2", 1);
+  add("Older^Otto", "1.3", 2);
+  folder.import();
+  const Index index = folder.open();
+  QCOMPARE(found(index, {.words = "Today"}), QStringList{QStringLiteral("New^Nora")});
+  QCOMPARE(found(index, {.words = "yesterday old"}), QStringList{QStringLiteral("Old^Olaf")});
 }
 
 void TestIndexQueries::studiesAreSorted_data() {
