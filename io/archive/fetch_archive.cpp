@@ -23,11 +23,31 @@ constexpr std::size_t mostInstances = 200000;
 
 struct ListedSeries {
   std::string modality;
+  int number = -1;
   int told = -1;  // number of instances, if the archive tells it
   std::vector<ListedInstance> instances;
+
+  int expected() const { return std::max(told, int(instances.size())); }
+  bool hasPictures() const {
+    static const std::set<std::string> others{"AU",  "DOC",    "KO",     "M3D",      "PLAN", "PR",
+                                              "REG", "RTDOSE", "RTPLAN", "RTSTRUCT", "SEG",  "SR"};
+    return !others.contains(modality);
+  }
 };
 
 using SeriesByUid = std::map<std::string, ListedSeries>;
+
+// Returns series in the order in which they come.
+std::vector<SeriesByUid::const_iterator> inOrder(const SeriesByUid& all) {
+  std::vector<SeriesByUid::const_iterator> ordered;
+  for (auto one = all.begin(); one != all.end(); ++one) ordered.push_back(one);
+  std::ranges::stable_sort(ordered, {}, [](const auto& one) { return one->second.number; });
+  const auto first = std::ranges::max_element(ordered, {}, [](const auto& one) {
+    return std::pair(one->second.hasPictures(), one->second.expected());
+  });
+  if (first != ordered.end()) std::rotate(ordered.begin(), first, first + 1);
+  return ordered;
+}
 
 // Returns the series of a study with their instances, as the archive lists them.
 class Listing {
@@ -39,13 +59,16 @@ class Listing {
     SeriesByUid all;
     DcmDataset keys = keysAt("SERIES", request_.studyUid);
     putKey(keys, DCM_SeriesInstanceUID, request_.seriesUid);
-    askFor(keys, {DCM_Modality, DCM_NumberOfSeriesRelatedInstances});
+    askFor(keys, {DCM_Modality, DCM_SeriesNumber, DCM_NumberOfSeriesRelatedInstances});
     const Status listed = list(keys, [&](const Answer& answer) {
       const std::string uid = answer.text(DCM_SeriesInstanceUID);
       const bool isWanted = isOf(answer, DCM_StudyInstanceUID, request_.studyUid) &&
                             (request_.seriesUid.empty() || uid == request_.seriesUid);
       if (!uid.empty() && isWanted)
-        all[uid] = {answer.text(DCM_Modality), answer.count(DCM_NumberOfSeriesRelatedInstances), {}};
+        all[uid] = {answer.text(DCM_Modality),
+                    answer.count(DCM_SeriesNumber),
+                    answer.count(DCM_NumberOfSeriesRelatedInstances),
+                    {}};
       return all.size() < mostInstances;
     });
     if (!listed) return listed.error();
@@ -92,52 +115,77 @@ class Listing {
 class Fetch {
  public:
   Fetch(ArchiveProtocol& protocol, const Archive& archive, const FetchRequest& request,
-        const Progress& progress, const CancelToken& cancel)
-      : protocol_(protocol), archive_(archive), request_(request), progress_(progress), cancel_(cancel) {}
+        const Progress& progress, const CancelToken& cancel, const OnSeries& onSeries)
+      : protocol_(protocol),
+        archive_(archive),
+        request_(request),
+        progress_(progress),
+        cancel_(cancel),
+        onSeries_(onSeries) {}
 
   Result<FetchReport> operator()(const SeriesByUid& all) {
-    for (const auto& [uid, series] : all) report_.expected += expectedOf(series);
-    for (const auto& [uid, series] : all)
-      if (Status s = fetchSeries(uid, series); !s) return s.error();
-    if (report_.fetched + report_.alreadyHere == 0 && !report_.problems.empty())
-      return Error{report_.problems.front()};
-    return report_;
+    std::set<std::string> modalities;
+    for (const auto& [uid, series] : all) {
+      expected_ += std::size_t(series.expected());
+      modalities.insert(series.modality);
+    }
+    FetchReport total;
+    for (const auto& one : inOrder(all)) {
+      const Result<FetchReport> report = fetchSeries(one->first, one->second);
+      if (!report) return report.error();
+      add(*report, total);
+      const bool isHere = report->fetched + report->alreadyHere > 0;
+      if (isHere && onSeries_) onSeries_({one->first, *report, modalities});
+    }
+    if (total.fetched + total.alreadyHere == 0 && !total.problems.empty())
+      return Error{total.problems.front()};
+    return total;
   }
 
  private:
+  static void add(const FetchReport& one, FetchReport& total) {
+    total.expected += one.expected;
+    total.fetched += one.fetched;
+    total.alreadyHere += one.alreadyHere;
+    total.bytes += one.bytes;
+    total.missing.insert(total.missing.end(), one.missing.begin(), one.missing.end());
+    for (const std::string& problem : one.problems)
+      if (std::ranges::find(total.problems, problem) == total.problems.end())
+        total.problems.push_back(problem);
+  }
+
   // The Error: this computer cannot go on.
-  Status fetchSeries(const std::string& seriesUid, const ListedSeries& series) {
+  Result<FetchReport> fetchSeries(const std::string& seriesUid, const ListedSeries& series) {
+    FetchReport report;
+    report.expected = series.expected();
     const std::string folder = request_.folder + "/" + nameForUid(seriesUid);
-    if (Status s = makePrivateFolder(folder); !s) return s;
+    if (Status s = makePrivateFolder(folder); !s) return s.error();
     const std::size_t most = 2 * series.instances.size() + 1000;
     InstanceFolder files(archive_.name, folder, request_.studyUid, seriesUid, most, [&] {
-      if (progress_) progress_("fetching", ++stored_, std::size_t(report_.expected));
+      if (progress_) progress_("fetching", ++stored_, expected_);
     });
     const int before = filesIn(folder);
     stored_ += std::size_t(before);
-    report_.alreadyHere += before;
+    report.alreadyHere = before;
     WantedInstances wanted{request_.studyUid, seriesUid, series.modality, series.instances};
     // Some lists are shorter than what there is: then all is asked for.
     if (series.told <= int(series.instances.size()) || before >= series.told)
       std::erase_if(wanted.instances, [&](const ListedInstance& one) { return files.has(one.uid); });
     wanted.isWhole = wanted.instances.size() == series.instances.size();
-    if (wanted.instances.empty()) return {};
+    if (wanted.instances.empty()) return report;
     const Status retrieved = protocol_.retrieve(wanted, files);
-    if (Status s = makeNamesLast(folder); !s) return s;
+    if (Status s = makeNamesLast(folder); !s) return s.error();
     if (cancel_.cancelled()) return Error{"cancelled"};
     for (const ListedInstance& one : wanted.instances)
-      if (!files.has(one.uid)) report_.missing.push_back(one.uid);
+      if (!files.has(one.uid)) report.missing.push_back(one.uid);
     const int after = filesIn(folder);
-    report_.fetched += after - before;
-    if (after < expectedOf(series))
-      addProblem(retrieved ? "The archive \"" + archive_.name + "\" did not send all that it lists."
-                           : retrieved.message());
-    report_.bytes += files.bytesWritten();
-    return {};
-  }
-
-  static int expectedOf(const ListedSeries& series) {
-    return std::max(series.told, int(series.instances.size()));
+    report.fetched = after - before;
+    if (after < report.expected)
+      report.problems.push_back(retrieved
+                                    ? "The archive \"" + archive_.name + "\" did not send all that it lists."
+                                    : retrieved.message());
+    report.bytes = files.bytesWritten();
+    return report;
   }
 
   static int filesIn(const std::string& folder) {
@@ -148,18 +196,13 @@ class Fetch {
     return count;
   }
 
-  void addProblem(const std::string& sentence) {
-    if (std::ranges::find(report_.problems, sentence) == report_.problems.end())
-      report_.problems.push_back(sentence);
-  }
-
   ArchiveProtocol& protocol_;
   const Archive& archive_;
   const FetchRequest& request_;
   const Progress& progress_;
   const CancelToken& cancel_;
-  FetchReport report_;
-  std::size_t stored_ = 0;
+  const OnSeries& onSeries_;
+  std::size_t stored_ = 0, expected_ = 0;
 };
 
 }  // namespace
@@ -195,7 +238,8 @@ std::vector<std::string> filesFetched(const FetchRequest& request) {
 }
 
 Result<FetchReport> fetchFromArchive(const Archive& archive, const FetchRequest& request,
-                                     const Progress& progress, const CancelToken& cancel) {
+                                     const Progress& progress, const CancelToken& cancel,
+                                     const OnSeries& onSeries) {
   const auto protocol = protocolOf(archive, cancel);
   const auto series = Listing(*protocol, archive, request)();
   if (!series) return series.error();
@@ -204,7 +248,7 @@ Result<FetchReport> fetchFromArchive(const Archive& archive, const FetchRequest&
                  (request.seriesUid.empty() ? "study." : "series.")};
   if (request.isManaged)
     if (Status s = beginFetched(request.folder, request.studyUid); !s) return s.error();
-  return Fetch(*protocol, archive, request, progress, cancel)(*series);
+  return Fetch(*protocol, archive, request, progress, cancel, onSeries)(*series);
 }
 
 }  // namespace volumen

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -31,6 +33,14 @@ struct FetchReport {
   std::vector<std::string> problems;  ///< why some are missing, sentences
 };
 
+/// A series of which images are in the folder, when no more of it come.
+struct FetchedSeries {
+  std::string uid;
+  FetchReport report;                ///< of this series alone
+  std::set<std::string> modalities;  ///< of all series that are fetched
+};
+using OnSeries = std::function<void(const FetchedSeries& series)>;
+
 /// Returns a file name for a UID of an archive, which may hold anything: 32 hexadecimal digits.
 std::string nameForUid(const std::string& uid);
 
@@ -45,9 +55,11 @@ std::string folderOf(const FetchRequest& request);
 std::vector<std::string> filesFetched(const FetchRequest& request);
 
 /// Fetches a study over associations of its own (C-GET), each instance with the bytes that the archive holds.
-/// Instances that are in the folder are not fetched again, so that an interrupted fetch continues. The Error:
-/// nothing could be fetched.
+/// Series come one after the other, the pictures with most images first, the others by their numbers; each is
+/// told to `onSeries`. Instances that are in the folder are not fetched again, so that an interrupted fetch
+/// continues. The Error: nothing could be fetched, or this computer cannot go on.
 Result<FetchReport> fetchFromArchive(const Archive& archive, const FetchRequest& request,
-                                     const Progress& progress, const CancelToken& cancel);
+                                     const Progress& progress, const CancelToken& cancel,
+                                     const OnSeries& onSeries = {});
 
 }  // namespace volumen

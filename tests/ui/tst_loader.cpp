@@ -209,7 +209,8 @@ void TestLoader::whatIsOpenedStandsInTheListByItsName() {
   w.loader.open(QStringLiteral("/data/Doe/CT-chest"));
   w.loader.open(QStringLiteral("/data/Doe/head.nii"));
   w.loader.openSession(QStringLiteral("/data/Doe/day.volumen"));
-  w.loader.openFiles(QStringLiteral("index:1"), {"/data/Doe/series 3/1.dcm", "/data/Doe/series 3/2.dcm"});
+  w.loader.openFiles(QStringLiteral("index:1"),
+                     {.files = {"/data/Doe/series 3/1.dcm", "/data/Doe/series 3/2.dcm"}});
   hideNames(namesHidden);
   QStringList shown;
   for (const JobRow& row : w.jobs.rows()) shown << row.text;

@@ -86,7 +86,8 @@ ArchiveSource::ArchiveSource(Archive archive, std::string indexFolder, Jobs& job
       indexFolder_(std::move(indexFolder)),
       searches_(&jobs),
       questions_(&jobs),
-      fetches_(&jobs) {
+      fetches_(&jobs),
+      seriesFetches_(&jobs) {
   look_.setInterval(lookEveryMs);
   connect(&look_, &QTimer::timeout, this, &ArchiveSource::takeIncoming);
 }

@@ -45,7 +45,8 @@ class ArchiveSource : public StudySource {
   void list(const StudyListRequest& request) override;
   void series(std::int64_t study) override;
   void studiesOf(const std::string& patientId, const std::string& patientName) override;
-  /// Instances that were fetched before are not fetched again.
+  /// Instances that were fetched before are not fetched again. A study comes series by series, unless it is
+  /// shown as a whole: a PET over its CT, X-ray pictures that hang together, or a study that is looked into.
   void open(const IndexedChoice& choice, OpenHow how) override;
 
  Q_SIGNALS:
@@ -72,6 +73,7 @@ class ArchiveSource : public StudySource {
     bool isWhole = false;
   };
   struct Found;
+  struct Opening;
   struct Fetched;
 
   // Empty without an index.
@@ -79,8 +81,8 @@ class ArchiveSource : public StudySource {
   static StudyList listOf(const Answer& answer, const StudySort& sort);
   Result<Found> find(const Archive& archive, const std::string& words, Incoming& incoming,
                      const Job& job) const;
-  Result<Fetched> fetch(const Archive& archive, const std::string& studyUid, const std::string& seriesUid,
-                        const Job& job);
+  Result<Fetched> fetch(const Opening& opening, const Job& job);
+  void take(const Opening& opening, const Fetched& fetched);
   std::vector<IndexedStudy> numbered(std::vector<IndexedStudy> studies);
   void search(const std::string& words);
   void giveUpSearch();
@@ -94,9 +96,9 @@ class ArchiveSource : public StudySource {
   Archive archive_;  // jobs use copies
   const std::string indexFolder_;
   UidNumbers studies_, series_;
-  std::map<std::int64_t, std::string> patientNames_;     // by study
-  std::map<std::int64_t, SeriesListPtr> seriesOf_;       // by study, since the last search
-  std::map<std::string, std::set<std::string>> opened_;  // series by study; used by the thread of `fetches_`
+  std::map<std::int64_t, std::string> patientNames_;  // by study
+  std::map<std::int64_t, SeriesListPtr> seriesOf_;    // by study, since the last search
+  std::map<std::string, std::map<std::string, std::vector<std::string>>> opened_;  // files by study, series
   StudyListRequest wanted_;
   std::optional<Answer> answer_;  // empty after a failure
   bool isListOld_ = false;        // the list in work lacks what came since
@@ -104,7 +106,7 @@ class ArchiveSource : public StudySource {
   ImagesHere newestHere_;  // if something was imported since the search began
   QTimer look_;
   QElapsedTimer sinceTaken_;
-  JobLane searches_, lists_, questions_, fetches_, imports_;
+  JobLane searches_, lists_, questions_, fetches_, seriesFetches_, imports_;
 };
 
 }  // namespace volumen

@@ -98,13 +98,19 @@ void Loader::open(const QString& path, const OpenIntent& intent) {
   Q_EMIT openBegan();
 }
 
-void Loader::openFiles(const QString& name, const std::vector<std::string>& files, const OpenIntent& intent) {
-  const QString folder =
-      files.empty() ? QString() : QFileInfo(QString::fromStdString(files.front())).dir().dirName();
-  open_.run(
+void Loader::openFiles(const QString& name, const OpenIntent& intent) {
+  const QString folder = intent.files.empty()
+                             ? QString()
+                             : QFileInfo(QString::fromStdString(intent.files.front())).dir().dirName();
+  const bool isJoining = intent.how == OpenHow::joining;
+  if (isJoining) open_.giveUpWaiting(joining_[name]);
+  const int job = open_.run(
       opening(folder),
-      [files](const Job& job) { return shared(volumen::openFiles(files, job.progress(), job.cancel())); },
+      [files = intent.files](const Job& open) {
+        return shared(volumen::openFiles(files, open.progress(), open.cancel()));
+      },
       orFailed([this, name, intent](const auto& study) { Q_EMIT filesOpened(name, study, intent); }));
+  if (isJoining) joining_[name] = job;
   if (intent.how == OpenHow::instead) Q_EMIT openBegan();
 }
 

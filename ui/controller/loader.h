@@ -2,6 +2,7 @@
 
 #include <QElapsedTimer>
 #include <functional>
+#include <map>
 #include <memory>
 
 #include "results/series/loaded_series.h"
@@ -30,8 +31,9 @@ class Loader : public QObject {
   Loader(Session& session, Jobs& jobs, MakeScene makeScene, QObject* parent = nullptr);
 
   void open(const QString& path, const OpenIntent& intent = {});
-  /// Opens files that are not one path; ends in filesOpened() with `name`.
-  void openFiles(const QString& name, const std::vector<std::string>& files, const OpenIntent& intent = {});
+  /// Opens the files of an intent, which are not one path; ends in filesOpened() with `name`. Of those of one
+  /// name that join the list, only the last requested are read.
+  void openFiles(const QString& name, const OpenIntent& intent);
   void openSession(const QString& path);
   /// Searches a folder for the missing objects of a workspace.
   void locate(const MissingObjects& missing, const QString& folder);
@@ -93,6 +95,7 @@ class Loader : public QObject {
   int loadJob_ = 0;
   bool isTaking_ = false;  // while receivers are told of the end of a load
   std::vector<Failure> failures_;
+  std::map<QString, int> joining_;  // jobs by the name of what joins the list
   JobLane open_, load_;
 };
 

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ui/workspace/view_id.h"
 #include "viewer/scene/scene.h"
@@ -10,8 +11,9 @@
 namespace volumen {
 
 /// Where a study of the index is shown: in the view in focus, there in place of other patients, in the view
-/// beside it, or nowhere. A study that is only looked into is listed by the requester if it matches.
-enum class OpenHow { here, instead, beside, lookedInto };
+/// beside it, or nowhere. A study that is only looked into is listed by the requester if it matches. More of
+/// a study that is being opened only joins the list, if the study is still in it.
+enum class OpenHow { here, instead, beside, lookedInto, joining };
 
 /// The purpose of opening something. It travels with the request and returns with the answer, because other
 /// requests may come in between.
@@ -23,6 +25,7 @@ struct OpenIntent {
       isShown{};                 ///< for items opened together: whether any was shown; null for a single item
   bool isAlone = false;          ///< whether it is the whole request
   std::optional<ViewId> onto{};  ///< the view with a series that it was dropped on
+  std::vector<std::string> files{};  ///< those that are read for it, if they are not one path
 };
 
 }  // namespace volumen

@@ -2,6 +2,7 @@
 
 #include <QSettings>
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "io/study/choose.h"
@@ -24,6 +25,14 @@ QString layoutKey(const Series& series) {
   return QStringLiteral("layouts/") + (modality.isEmpty() ? QStringLiteral("other") : modality);
 }
 
+// Returns all items of a study that could be listed.
+Unlisted everythingOf(const Study& study) {
+  Unlisted all;
+  for (const Series& series : allSeriesOf(study)) all.series.insert(keyOf(series));
+  for (const DerivedObject& object : study.derived) all.derived.insert(keyOf(object));
+  return all;
+}
+
 }  // namespace
 
 Opener::Opener(Session& session, Loader& loader, OpenStudies& open)
@@ -37,10 +46,20 @@ Opener::Opener(Session& session, Loader& loader, OpenStudies& open)
 }
 
 void Opener::list(const QString& path, const std::shared_ptr<const Study>& study) {
+  listBut({}, path, study);
+}
+
+void Opener::join(const QString& path, const std::shared_ptr<const Study>& study) {
+  const std::shared_ptr<const Study> before = open_.studyOf(path);
+  if (before) listBut(everythingOf(*before), path, study);
+}
+
+void Opener::listBut(const Unlisted& known, const QString& path, const std::shared_ptr<const Study>& study) {
   std::vector<SeriesKey> series;
   std::vector<DerivedKey> derived;
-  for (const Series& s : allSeriesOf(*study)) series.push_back(keyOf(s));
-  for (const DerivedObject& object : study->derived) derived.push_back(keyOf(object));
+  const Unlisted all = everythingOf(*study);
+  std::ranges::set_difference(all.series, known.series, std::back_inserter(series));
+  std::ranges::set_difference(all.derived, known.derived, std::back_inserter(derived));
   session_.list(series, derived);
   open_.add(path, study);
 }

@@ -18,6 +18,9 @@ class Opener : public QObject {
 
   /// Adds a study to the list, also one removed before.
   void list(const QString& path, const std::shared_ptr<const Study>& study);
+  /// Adds what came of a study in the list since. What was removed from the list stays removed. Does nothing
+  /// if that is all of the study.
+  void join(const QString& path, const std::shared_ptr<const Study>& study);
   /// Shows a series in the view in focus: its volume, or its frames if it is read that way.
   void show(const Series& series);
   /// Shows the frames of a series in the view in focus.
@@ -45,6 +48,7 @@ class Opener : public QObject {
   void keepLayouts() const;
 
  private:
+  void listBut(const Unlisted& known, const QString& path, const std::shared_ptr<const Study>& study);
   Workspace inLayoutOf(Workspace workspace, const Series& series, bool mayBeEmpty) const;
   Workspace arranged(Workspace workspace, const Series& series, bool isNew, bool isLayoutWanted) const;
   Session::Arrange arrangedFor(const Series& series);

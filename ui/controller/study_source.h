@@ -59,6 +59,8 @@ class StudySource : public QObject {
   /// class makes none.
   virtual void wantThumbnails(const std::vector<std::int64_t>& series);
   /// Opens a choice. Ends in filesFound() once the files of the study are on this machine, or in notOpened().
+  /// A study may come series by series: then filesFound() is sent again with all that is there so far
+  /// (OpenHow::joining).
   virtual void open(const IndexedChoice& choice, OpenHow how) = 0;
 
   /// Returns what lists the files of a choice on this machine. Null in the base class: they are elsewhere.

@@ -162,7 +162,7 @@ void HangingProtocols::hang(const HangingProtocol& protocol, bool byItself) {
 // Schedules automatic hanging of a study that was opened as a whole.
 void HangingProtocols::await(const std::shared_ptr<const Study>& study, const OpenIntent& intent) {
   if (intent.scene || !intent.seriesUid.empty()) return;
-  if (intent.how == OpenHow::beside || intent.how == OpenHow::lookedInto) return;
+  if (intent.how != OpenHow::here && intent.how != OpenHow::instead) return;
   queue_ = withOpened(std::move(queue_), study, intent.isShown);
   QMetaObject::invokeMethod(this, &HangingProtocols::hangAwaited, Qt::QueuedConnection);
 }

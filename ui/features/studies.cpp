@@ -78,6 +78,7 @@ void Studies::leaveKeys() {
 
 void Studies::connectSession() {
   connect(&bench_, &Workbench::otherShown, this, &Studies::markShown);
+  connect(&open_, &OpenStudies::added, this, &Studies::markShown);  // after the panel has made its rows
   whenChanged(
       session_, this, [this] { open_.setUnlisted(*session_.workspace().unlisted); }, &Workspace::unlisted);
   whenChanged(

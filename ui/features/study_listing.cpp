@@ -60,6 +60,8 @@ class StudyListing : public Feature {
   void showImported();
   void openFound(const QString& place, const std::vector<std::string>& files, const OpenIntent& intent);
   void showFound(const QString& place, const std::shared_ptr<const Study>& study, const OpenIntent& intent);
+  void join(const QString& place, const std::shared_ptr<const Study>& study,
+            const std::vector<std::string>& files);
   void showNext();
   void showChosen(const Study& study, const OpenIntent& intent);
   void showObject(const std::string& seriesUid);
@@ -83,7 +85,6 @@ class StudyListing : public Feature {
   bool listedOnce_ = false;                              // since the start of the program
   bool gaveWay_ = false;                                 // true while hidden for a load
   std::map<QString, std::vector<std::string>> filesOf_;  // files of the open studies
-  std::map<QString, std::vector<std::string>> asked_;    // files of the studies being read
 };
 
 StudyListing::StudyListing(Workbench& bench)
@@ -253,20 +254,34 @@ void StudyListing::openFound(const QString& place, const std::vector<std::string
   const std::shared_ptr<const Study> open = open_.studyOf(place);
   const auto known = filesOf_.find(place);
   const bool isRead = open && known != filesOf_.end() && known->second == files;
-  if (isRead && intent.how != OpenHow::lookedInto) return showFound(place, open, intent);
-  filesOf_.erase(place);
-  asked_[place] = files;
-  bench_.document.loader.openFiles(place, files, intent);
+  OpenIntent found = intent;
+  found.files = files;
+  if (isRead && intent.how != OpenHow::lookedInto) return showFound(place, open, found);
+  bench_.document.loader.openFiles(place, found);
 }
 
 void StudyListing::showFound(const QString& place, const std::shared_ptr<const Study>& study,
                              const OpenIntent& intent) {
-  if (const auto asked = asked_.extract(place)) filesOf_[place] = asked.mapped();
-  if (intent.how == OpenHow::lookedInto) return;
+  if (intent.how == OpenHow::lookedInto) return void(filesOf_.erase(place));  // it may be listed elsewhere
+  if (intent.how == OpenHow::joining) return join(place, study, intent.files);
+  filesOf_[place] = intent.files;
   bench_.document.opener.list(place, study);
   if (!study->refused.empty()) bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
   waiting_.push_back({place, study, intent});
   showNext();
+}
+
+// Leaves the views as they are.
+void StudyListing::join(const QString& place, const std::shared_ptr<const Study>& study,
+                        const std::vector<std::string>& files) {
+  const std::shared_ptr<const Study> before = open_.studyOf(place);
+  if (!before || before == study) return;
+  filesOf_[place] = files;
+  bench_.document.opener.join(place, study);
+  for (Waiting& waiting : waiting_)
+    if (waiting.study == before) waiting.study = study;
+  if (study->refused.size() > before->refused.size())
+    bench_.banner.add(unreadText(*study), refusedTexts(study->refused));
 }
 
 // Shows waiting studies one by one, as the next request would replace the one before. Skips studies closed
