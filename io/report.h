@@ -14,6 +14,7 @@ namespace volumen {
 /// A property in a report: the name and the code of its value.
 struct ReportProperty {
   Code name, value;
+  bool operator==(const ReportProperty&) const = default;
 };
 
 /// A region or position in a report (PS3.3 C.18.6, C.18.9).
@@ -24,6 +25,7 @@ struct ReportShape {
   Code name;
   std::string frameOfReferenceUid;          ///< frame of reference of patient positions
   std::vector<ReferencedPicture> pictures;  ///< the image of the pixels, or the source of the selection
+  bool operator==(const ReportShape&) const = default;
 };
 
 struct ReportMeasurement {
@@ -31,6 +33,7 @@ struct ReportMeasurement {
   std::optional<double> value;  ///< empty if the report has none
   std::vector<ReportProperty> properties;
   std::vector<ReportShape> shapes;  ///< the shapes it was inferred from
+  bool operator==(const ReportMeasurement&) const = default;
 };
 
 /// A measurement group of TID 1500 (PS3.16 TID 1410, 1411, 1501).
@@ -41,6 +44,7 @@ struct MeasurementGroup {
   std::vector<ReportMeasurement> measurements;
   std::vector<ReportShape> shapes;
   std::vector<ReferencedPicture> pictures;  ///< sources and segmentations
+  bool operator==(const MeasurementGroup&) const = default;
 };
 
 /// A structured report: its title and the measurement groups of TID 1500. Text is UTF-8.
@@ -48,6 +52,7 @@ struct Report {
   Code title;
   std::vector<MeasurementGroup> groups;
   std::vector<std::string> warnings;  ///< parts left out and why: sentences without its name
+  bool operator==(const Report&) const = default;
 };
 
 /// A Key Object Selection document (PS3.16 TID 2010): key images and the reason for them.
@@ -55,6 +60,7 @@ struct KeyObjects {
   Code title;
   std::string text;                         ///< description
   std::vector<ReferencedPicture> pictures;  ///< the key images
+  bool operator==(const KeyObjects&) const = default;
 };
 
 /// Reads a report or a key object document. The Error names the file and the reason.

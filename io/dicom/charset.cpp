@@ -283,6 +283,24 @@ std::string toUtf8(const std::string& text, const std::string& specificCharacter
   return out;
 }
 
+std::optional<std::string> fromUtf8(const std::string& text, const std::string& specificCharacterSet) {
+  if (isPlain(text)) return text;
+  bool exact = true;
+  const CharacterSet* set = meantBy(specificCharacterSet, exact);
+  if (!exact || !set || set->bytes != CharacterSet::asTheyAre) return {};
+  const iconv_t converter = iconv_open(set->encoding, "UTF-8");
+  if (converter == iconv_t(-1)) return {};
+  std::string in = text, out(4 * text.size(), '\0');
+  char *from = in.data(), *to = out.data();
+  std::size_t left = in.size(), room = out.size();
+  const std::size_t changed = iconv(converter, &from, &left, &to, &room);
+  iconv_close(converter);
+  if (changed != 0 || left > 0) return {};
+  out.resize(out.size() - room);
+  if (toUtf8(out, specificCharacterSet) != text) return {};
+  return out;
+}
+
 std::string characterRemark(const std::string& text, const std::string& specificCharacterSet) {
   if (isPlain(text)) return {};
   const Characters characters = charactersOf(specificCharacterSet);

@@ -75,7 +75,8 @@ class ReportReader {
     ReportMeasurement out;
     out.name = nameOf(data_, item);
     if (const auto values = data_.items(0x0040a300, item); !values.empty()) {
-      out.value = data_.number(0x0040a30a, values[0]);
+      const std::optional<double> exact = data_.real(0x0040a161, values[0]);
+      out.value = exact && std::isfinite(*exact) ? exact : data_.number(0x0040a30a, values[0]);
       out.unit = codeAt(data_, 0x004008ea, values[0]);
     }
     for (const Scope child : data_.items(content, item)) {

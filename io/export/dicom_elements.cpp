@@ -17,6 +17,32 @@ DcmTag tagOf(const DicomElement& e) {
   return DcmTag(key, DcmVR(name));
 }
 
+// DCMTK reads numbers less exactly than it could.
+template <class T>
+std::vector<T> numbersOf(const std::string& text) {
+  std::vector<T> all;
+  for (std::size_t begin = 0; begin < text.size();) {
+    const std::size_t end = std::min(text.find('\\', begin), text.size());
+    T number = 0;
+    std::from_chars(text.data() + begin, text.data() + end, number);
+    all.push_back(number);
+    begin = end + 1;
+  }
+  return all;
+}
+
+void putValue(const DcmTag& tag, const std::string& value, DcmItem& into) {
+  if (tag.getEVR() == EVR_FD) {
+    const auto numbers = numbersOf<double>(value);
+    into.putAndInsertFloat64Array(tag, numbers.data(), static_cast<unsigned long>(numbers.size()));
+  } else if (tag.getEVR() == EVR_FL) {
+    const auto numbers = numbersOf<float>(value);
+    into.putAndInsertFloat32Array(tag, numbers.data(), static_cast<unsigned long>(numbers.size()));
+  } else {
+    into.putAndInsertString(tag, value.c_str(), true);
+  }
+}
+
 // The stack of nested items that elements of a list go into; the innermost is last.
 class OpenItems {
  public:
@@ -33,7 +59,7 @@ class OpenItems {
       sequences_.push_back(new DcmSequenceOfItems(tag));
       items_[depth]->insert(sequences_.back(), true);
     } else if (!e.value.empty() || !items_[depth]->tagExists(tag)) {
-      items_[depth]->putAndInsertString(tag, e.value.c_str(), true);
+      putValue(tag, e.value, *items_[depth]);
     }
   }
 
@@ -71,6 +97,18 @@ std::string decimals(std::initializer_list<double> values) {
     text += decimal(v);
   }
   return text;
+}
+
+std::string inOneLine(const std::string& text) {
+  constexpr std::size_t longest = 64;  // characters of LO
+  std::string line;
+  std::size_t characters = 0;
+  for (const char c : text) {
+    characters += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
+    if (characters > longest) break;
+    line += c == '\\' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
+  }
+  return line;
 }
 
 std::string valueOf(std::span<const DicomElement> elements, std::uint32_t tag) {

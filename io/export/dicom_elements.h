@@ -32,6 +32,10 @@ std::string decimal(double value);
 /// Returns several decimal strings, separated by backslashes.
 std::string decimals(std::initializer_list<double> values);
 
+/// Returns a text as one line of at most 64 characters (VR LO); a backslash, which would separate two values,
+/// becomes a blank.
+std::string inOneLine(const std::string& text);
+
 /// Returns the value of a top-level element of the list, or an empty string if it is missing.
 std::string valueOf(std::span<const DicomElement> elements, std::uint32_t tag);
 

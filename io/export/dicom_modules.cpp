@@ -1,5 +1,7 @@
 #include "io/export/dicom_modules.h"
 
+#include <algorithm>
+
 namespace volumen {
 
 namespace {
@@ -33,6 +35,31 @@ DicomElements studyModule(const SeriesIdentity& who, const std::string& studyUid
 
 DicomElements equipmentModule() {
   return {{0x00080070, "volumen"}, {0x00181020, "volumen " VOLUMEN_VERSION}};
+}
+
+DicomElements enhancedEquipmentModule() {
+  DicomElements all = equipmentModule();
+  append(all, {{0x00081090, "volumen"}, {0x00181000, "none"}});
+  return all;
+}
+
+bool isOfStudy(std::uint32_t tag) {
+  constexpr std::uint32_t ranges[][2] = {
+      {0x00080020, 0x00080020}, {0x00080030, 0x00080030}, {0x00080050, 0x00080051}, {0x00080090, 0x00080096},
+      {0x00081030, 0x00081032}, {0x00081048, 0x00081049}, {0x00081060, 0x00081062}, {0x00081080, 0x00081084},
+      {0x00081110, 0x00081110}, {0x00081120, 0x00081120}, {0x00100010, 0x0010ffff}, {0x00120010, 0x0012ffff},
+      {0x0020000d, 0x0020000d}, {0x00200010, 0x00200010}};
+  return std::ranges::any_of(ranges, [&](const auto& r) { return tag >= r[0] && tag <= r[1]; });
+}
+
+DicomElements studyElements(const DicomElements& ofFile) {
+  DicomElements kept;
+  bool inside = false;
+  for (const DicomElement& e : ofFile) {
+    if (e.depth == 0) inside = isOfStudy(e.tag);
+    if (inside) kept.push_back(e);
+  }
+  return kept;
 }
 
 DicomElements contributingEquipment(std::span<const DicomElement> before) {
@@ -73,6 +100,22 @@ DicomElements codeItem(const std::string& value, const std::string& scheme, cons
           {0x00080100, value, 0, depth},
           {0x00080102, scheme, 0, depth},
           {0x00080104, meaning, 0, depth}};
+}
+
+bool isWhole(const Code& code) { return !code.value.empty() && !code.scheme.empty(); }
+
+DicomElements codeSequence(std::uint32_t tag, const Code& code, int depth) {
+  constexpr std::size_t longestShort = 16;  // characters of SH
+  const bool isUrn = code.value.starts_with("urn:") || code.value.find("://") != std::string::npos;
+  const std::string value = inOneLine(code.value);
+  DicomElements all = {{tag, {}, 0, depth}};
+  append(all, codeItem(value, inOneLine(code.scheme), inOneLine(code.meaning.empty() ? value : code.meaning),
+                       depth + 1));
+  if (isUrn)
+    all[2].tag = 0x00080120;
+  else if (value.size() > longestShort)
+    all[2].tag = 0x00080119;
+  return all;
 }
 
 }  // namespace volumen

@@ -4,6 +4,7 @@
 
 #include "io/export/dicom_elements.h"
 #include "io/study/identity.h"
+#include "viewer/segment/code.h"
 
 namespace volumen {
 
@@ -16,8 +17,15 @@ DicomElements patientModule(const SeriesIdentity& who);
 /// General Study and Patient Study.
 DicomElements studyModule(const SeriesIdentity& who, const std::string& studyUid);
 
+/// Returns whether an attribute is one of patient and study, which hold for every object made of an image.
+bool isOfStudy(std::uint32_t tag);
+/// Returns the elements of patient and study of a file.
+DicomElements studyElements(const DicomElements& ofFile);
+
 /// General Equipment of objects that no other machine made.
 DicomElements equipmentModule();
+/// The same with the attributes of Enhanced General Equipment.
+DicomElements enhancedEquipmentModule();
 
 /// Contributing Equipment: names this program, which made the object from images of another machine.
 /// Contributors in the source's elements `before` come first.
@@ -38,5 +46,11 @@ DicomElements derivation(const std::string& words, std::span<const SourcePicture
 /// Returns an item that holds a code.
 DicomElements codeItem(const std::string& value, const std::string& scheme, const std::string& meaning,
                        int depth);
+
+/// True if a code has a value and a scheme.
+bool isWhole(const Code& code);
+/// Returns a sequence of one code. Values of more than 16 characters become long code values, and URNs stay
+/// URNs (PS3.3 8.8); a code without meaning has its value as meaning.
+DicomElements codeSequence(std::uint32_t tag, const Code& code, int depth);
 
 }  // namespace volumen

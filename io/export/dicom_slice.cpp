@@ -239,7 +239,7 @@ DicomElements DicomSliceWriter::derivationOf(int k, const StoredSlice& pixels) c
   std::vector<SourcePicture> pictures;
   for (const int n : {origin->below, origin->above}) {
     const DicomSourceFile& file = tags_.source.file(n);
-    const int frame = file.isMultiFrame ? int(tags_.source.slices[std::size_t(n)].frame) + 1 : 0;
+    const int frame = file.isMultiFrame() ? int(tags_.source.slices[std::size_t(n)].frame) + 1 : 0;
     pictures.push_back({file.sopClassUid, file.sopInstanceUid, frame});
     if (!origin->isInterpolated()) break;
   }

@@ -13,6 +13,7 @@
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/header.h"
 #include "io/dicom/separators.h"
+#include "io/export/dicom_modules.h"
 #include "io/study/series.h"
 #include "io/worker/batches.h"
 #include "io/worker/serve.h"
@@ -24,7 +25,8 @@ inline void fields(Wire& w, DicomElement& e) { w(e.tag, e.value, e.vr, e.depth);
 inline void fields(Wire& w, DicomSourceFrame::Place& p) { w(p.position, p.right, p.down, p.mm); }
 inline void fields(Wire& w, DicomSourceFrame& f) { w(f.place, f.slope, f.intercept, f.elements); }
 inline void fields(Wire& w, DicomSourceFile& f) {
-  w(f.problem, f.sopClassUid, f.sopInstanceUid, f.isSigned, f.isMultiFrame, f.elements, f.frames);
+  w(f.problem, f.sopClassUid, f.sopInstanceUid, f.isSigned, f.frameCount, f.elements, f.ofStudy,
+    f.characterSet, f.frames);
 }
 }  // namespace worker
 
@@ -127,6 +129,17 @@ class Copier {
     return all;
   }
 
+  // Returns patient and study with their texts as stored. Nothing if one of them is not in the declared
+  // character set.
+  std::optional<DicomElements> ofStudyAsStored() const {
+    Copier copier(data_, bytes_);
+    copier.asStored_ = true;
+    DicomElements all;
+    copier.add(data_.root(), 0, all);
+    if (!copier.isAsDeclared_) return {};
+    return all;
+  }
+
   // Returns elements from the functional groups of one frame, or from the shared ones.
   DicomElements ofGroups(DataSet::Scope groups) const {
     DicomElements all;
@@ -145,7 +158,9 @@ class Copier {
     for (std::uint32_t n = scope.begin; n < scope.end; n = data_.element(n).end) {
       const dicom::Element& e = data_.element(n);
       const bool isPrivate = e.tag >> 16 & 1;
-      if (isPrivate || e.tag == characterSet || (depth == 0 && !isCopied(e.tag))) continue;
+      if (e.tag == characterSet && depth > 0) isAsDeclared_ = false;  // texts of this item are in another one
+      const bool isWanted = depth > 0 || (asStored_ ? isOfStudy(e.tag) : isCopied(e.tag));
+      if (isPrivate || e.tag == characterSet || !isWanted) continue;
       const std::uint16_t vr = e.vr && e.vr != vrOf('U', 'N') ? e.vr : dictionaryVr(e.tag);
       if (vr != vrOf('S', 'Q')) {
         if (auto value = text(e, vr, scope)) addValue({e.tag, std::move(*value), vr, depth}, out);
@@ -226,7 +241,7 @@ class Copier {
   // Returns an element's value as text; empty if it is binary or too long.
   std::optional<std::string> text(const dicom::Element& e, std::uint16_t vr, DataSet::Scope scope) const {
     if (e.length == dicom::undefinedLength || e.length > longestValue) return {};
-    if (isOneOf(vr, {"LO", "LT", "PN", "SH", "ST", "UC", "UT"})) return data_.utf8(e.tag, scope);
+    if (isOneOf(vr, {"LO", "LT", "PN", "SH", "ST", "UC", "UT"})) return letters(e.tag, scope);
     if (isOneOf(vr, {"DA", "TM"})) return dicom::dateOrTime(data_.text(e.tag, scope));
     if (isOneOf(vr, {"AE", "AS", "CS", "DT", "IS", "UI", "UR"})) return data_.text(e.tag, scope);
     if (vr == vrOf('D', 'S')) {
@@ -241,6 +256,14 @@ class Copier {
     if (vr == vrOf('F', 'L')) return numbers<float>(e);
     if (vr == vrOf('F', 'D')) return numbers<double>(e);
     return {};
+  }
+
+  std::string letters(std::uint32_t tag, DataSet::Scope scope) const {
+    if (!asStored_) return data_.utf8(tag, scope);
+    std::string stored = data_.text(tag, scope);
+    if (!dicom::characterRemark(stored, data_.text(characterSet, data_.root())).empty())
+      isAsDeclared_ = false;
+    return stored;
   }
 
   template <class T>
@@ -258,6 +281,8 @@ class Copier {
 
   const DataSet& data_;
   dicom::Bytes bytes_;
+  bool asStored_ = false;
+  mutable bool isAsDeclared_ = true;
 };
 
 DicomSourceFile sourceOf(const dicom::InspectedFile& file) {
@@ -272,10 +297,13 @@ DicomSourceFile sourceOf(const dicom::InspectedFile& file) {
   source.sopClassUid = header.sopClassUid;
   source.sopInstanceUid = header.sopInstanceUid;
   source.isSigned = header.format.isSigned;
-  source.isMultiFrame = header.format.frames > 1 && !header.mosaic;
+  source.frameCount = header.mosaic ? 1 : int(header.format.frames);
   source.elements = copier.ofFile();
   for (const DataSet::Scope& shared : data.items(dicom::FrameScopes::sharedGroups, data.root()))
     std::ranges::move(copier.ofGroups(shared), std::back_inserter(source.elements));
+  const auto stored = copier.ofStudyAsStored();
+  source.ofStudy = stored ? *stored : studyElements(source.elements);
+  source.characterSet = stored ? data.text(characterSet, data.root()) : "ISO_IR 192";
   const auto ofFrames = data.items(dicom::FrameScopes::perFrameGroups, data.root());
   for (std::size_t n = 0; n < header.slices.size(); ++n) {
     const dicom::Slice& slice = header.slices[n];

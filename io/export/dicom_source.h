@@ -32,9 +32,15 @@ struct DicomSourceFrame {
 struct DicomSourceFile {
   std::string problem;  ///< a sentence without the file's name if the file cannot be read; else empty
   std::string sopClassUid, sopInstanceUid;
-  bool isSigned = false, isMultiFrame = false;
+  bool isSigned = false;
+  int frameCount = 1;  ///< of the whole file; 1 for a mosaic
   DicomElements elements;
+  DicomElements ofStudy;  ///< its elements of patient and study, with texts in `characterSet`
+  std::string
+      characterSet;  ///< that of the file, or ISO_IR 192 if the file's texts are not in the declared one
   std::vector<DicomSourceFrame> frames;
+
+  bool isMultiFrame() const { return frameCount > 1; }
 };
 
 /// Attributes of the slices of a series.

@@ -7,6 +7,17 @@
 
 namespace volumen {
 
+namespace {
+
+std::string uidOf(const QUuid& uuid) {
+  const QByteArray bytes = uuid.toRfc4122();
+  std::array<std::uint8_t, 16> array;
+  std::copy_n(bytes.cbegin(), array.size(), array.begin());
+  return uidOfUuid(array);
+}
+
+}  // namespace
+
 DicomUids::DicomUids(const Volume& volume, const std::string& salt) : contents_{} {
   QCryptographicHash hash(QCryptographicHash::Sha256);
   const auto add = [&](const auto& value) {
@@ -37,12 +48,10 @@ DicomUids::DicomUids(std::span<const std::uint8_t> contents, const std::string& 
 
 std::string DicomUids::of(const std::string& what) const {
   const QByteArray space(reinterpret_cast<const char*>(contents_.data()), qsizetype(contents_.size()));
-  const QByteArray bytes =
-      QUuid::createUuidV5(QUuid::fromRfc4122(space), QByteArray::fromStdString(what)).toRfc4122();
-  std::array<std::uint8_t, 16> uuid;
-  std::copy_n(bytes.cbegin(), uuid.size(), uuid.begin());
-  return uidOfUuid(uuid);
+  return uidOf(QUuid::createUuidV5(QUuid::fromRfc4122(space), QByteArray::fromStdString(what)));
 }
+
+std::string randomUid() { return uidOf(QUuid::createUuid()); }
 
 std::string uidOfUuid(std::array<std::uint8_t, 16> uuid) {
   std::string digits;

@@ -1,7 +1,6 @@
 #include "io/export/segmentation_dicom.h"
 
 #include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dcostrmb.h>
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <QDateTime>
@@ -11,6 +10,7 @@
 #include <new>
 #include <optional>
 
+#include "io/export/dicom_file.h"
 #include "io/export/dicom_source.h"
 #include "io/export/segmentation_elements.h"
 #include "io/files/output_file.h"
@@ -54,25 +54,6 @@ Status checkPlaces(const Series& series, const DicomSource& source) {
   return {};
 }
 
-// Writes DCMTK's output to a file one buffer at a time.
-Status writeTo(OutputFile& out, DcmFileFormat& file, const std::string& path) {
-  std::vector<Uint8> buffer(1 << 20);
-  DcmOutputBufferStream stream(buffer.data(), offile_off_t(buffer.size()));
-  file.transferInit();
-  OFCondition done = EC_StreamNotifyClient;
-  while (done == EC_StreamNotifyClient) {
-    done = file.write(stream, EXS_LittleEndianExplicit, EET_ExplicitLength, nullptr);
-    stream.flush();
-    void* bytes = nullptr;
-    offile_off_t count = 0;
-    stream.flushBuffer(bytes, count);
-    if (Status s = out.write(bytes, std::size_t(count)); !s) return s;
-  }
-  file.transferEnd();
-  if (done.bad()) return Error{"Cannot write " + path + ": " + done.text() + "."};
-  return {};
-}
-
 Status writeObject(const SegmentationElements& elements, const SegmentationFrames& frames,
                    const std::string& path, const CancelToken& cancel) {
   DcmFileFormat file;
@@ -84,7 +65,7 @@ Status writeObject(const SegmentationElements& elements, const SegmentationFrame
   if (done.bad()) return Error{"Cannot write " + path + ": " + done.text() + "."};
   auto out = OutputFile::create(path);
   if (!out) return out.error();
-  if (Status s = writeTo(*out, file, path); !s) return s;
+  if (Status s = writeDicomFile(file, *out, path); !s) return s;
   if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
   return out->commit();
 }

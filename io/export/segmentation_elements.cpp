@@ -17,53 +17,11 @@ namespace volumen {
 namespace {
 
 constexpr std::uint32_t frameOfReferenceTag = 0x00200052, dimensionOrganisation = 0x00209164;
-constexpr std::size_t longestText = 64;  // characters of LO
-
-// True for attributes of patient and study. Those of equipment and acquisition do not hold for the
-// segmentation.
-bool isOfStudy(std::uint32_t tag) {
-  constexpr std::uint32_t ranges[][2] = {
-      {0x00080050, 0x00080051}, {0x00080090, 0x00080096}, {0x00081030, 0x00081032}, {0x00081048, 0x00081049},
-      {0x00081060, 0x00081062}, {0x00081080, 0x00081084}, {0x00081110, 0x00081110}, {0x00081120, 0x00081120},
-      {0x00100010, 0x0010ffff}, {0x00120010, 0x0012ffff}};
-  return std::ranges::any_of(ranges, [&](const auto& r) { return tag >= r[0] && tag <= r[1]; });
-}
-
-DicomElements ofStudy(const DicomElements& all) {
-  DicomElements kept;
-  bool inside = false;
-  for (const DicomElement& e : all) {
-    if (e.depth == 0) inside = isOfStudy(e.tag);
-    if (inside) kept.push_back(e);
-  }
-  return kept;
-}
-
-// Returns a text as one line of at most 64 characters; a backslash would separate two values.
-std::string inOneLine(const std::string& text) {
-  std::string line;
-  std::size_t characters = 0;
-  for (const char c : text) {
-    characters += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-    if (characters > longestText) break;
-    line += c == '\\' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
-  }
-  return line;
-}
 
 std::string listed(const std::vector<std::string>& names) {
   std::string text;
   for (const std::string& name : names) text += (text.empty() ? "" : ", ") + name;
   return text;
-}
-
-bool isWhole(const Code& code) { return !code.value.empty() && !code.scheme.empty(); }
-
-DicomElements codeSequence(std::uint32_t tag, const Code& code, int depth) {
-  DicomElements all = {{tag, {}, 0, depth}};
-  append(all, codeItem(inOneLine(code.value), inOneLine(code.scheme),
-                       code.meaning.empty() ? code.value : inOneLine(code.meaning), depth + 1));
-  return all;
 }
 
 // PS3.3 10.16 and 10.5: structures and algorithms leave as they came.
@@ -176,9 +134,9 @@ DicomElements SegmentationElements::identity() const {
   const std::string space = valueOf(first, frameOfReferenceTag);
   DicomElements all = patientModule(series_);
   append(all, studyModule(series_, series_.studyUid.empty() ? uids_.of("study") : series_.studyUid));
-  append(all, ofStudy(first));
+  append(all, studyElements(first));
   append(all, frameOfReferenceModule(space.empty() ? uids_.of("frame of reference") : space));
-  append(all, equipmentModule());
+  append(all, enhancedEquipmentModule());
   append(all, {{0x00080005, "ISO_IR 192"},
                {0x00080016, UID_SegmentationStorage},
                {0x00080018, uids_.of("instance")},
@@ -186,8 +144,6 @@ DicomElements SegmentationElements::identity() const {
                {0x00080031, tags_.time},
                {0x00080060, "SEG"},
                {0x0008103e, inOneLine(tags_.description)},
-               {0x00081090, "volumen"},
-               {0x00181000, "none"},
                {0x0020000e, uids_.of("series")},
                {0x00200011, "1000"},  // a number above those of scanners
                {0x00201040, valueOf(first, 0x00201040)}});
@@ -310,7 +266,7 @@ DicomElements SegmentationElements::frameGroups(const SegmentationFrames::Frame&
                        {0x00081150, file.sopClassUid, 0, 3},
                        {0x00081155, file.sopInstanceUid, 0, 3},
                        {0x0028135a, "YES", 0, 3}};
-  if (file.isMultiFrame)
+  if (file.isMultiFrame())
     all.push_back({0x00081160, std::to_string(source_.slices[std::size_t(frame.slice)].frame + 1), 0, 3});
   all.push_back({0x0040a170, {}, 0, 3});
   append(all, codeItem("121322", "DCM", "Source image for image processing operation", 4));

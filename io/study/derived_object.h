@@ -14,6 +14,7 @@ struct ReferencedPicture {
   std::string seriesUid;      ///< empty if the object does not give it
   std::vector<int> frames;    ///< frame numbers from 0, ascending; empty means all frames
   std::vector<int> segments;  ///< segment numbers of a segmentation; empty means all segments
+  bool operator==(const ReferencedPicture&) const = default;
 };
 
 /// The kinds of object that refer to pictures.
