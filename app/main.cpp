@@ -90,7 +90,7 @@ constexpr Entry commands[] = {
      volumen::makeArchive},
     {"forget", "Take studies out of the index; their files stay", volumen::makeForget},
     {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert, true},
-    {"export", "Copy DICOM files without the identity of the patient", volumen::makeExport},
+    {"export", "Write a DICOM report, key images, or copies without the identity of the patient", volumen::makeExport},
     {"segment", "Segment by a recipe or a value range, and measure", volumen::makeSegment, true},
     {"compare", "Compare the segments of two files", volumen::makeCompare},
     {"measure", "Measure lengths, angles, regions, volumes and segments", volumen::makeMeasure, true},

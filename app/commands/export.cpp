@@ -4,6 +4,8 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/export_formats.h"
+#include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/usage.h"
 #include "io/deidentify/deidentify_files.h"
@@ -17,7 +19,8 @@ namespace {
 using Json = nlohmann::ordered_json;
 
 struct ExportOptions {
-  std::string path, folder, keyFile;
+  ExportJob job;
+  std::string format, keyFile;
   std::vector<std::string> kept;
   Retained retained;
   bool deidentifies = false, json = false;
@@ -32,6 +35,17 @@ constexpr Kept keepable[] = {{"uids", &Retained::uids},       {"dates", &Retaine
                              {"device", &Retained::device},   {"institution", &Retained::institution},
                              {"patient", &Retained::patient}, {"descriptors", &Retained::descriptors},
                              {"private", &Retained::privates}};
+
+// The options of formats as a user types them.
+struct FormatOption {
+  const char *name, *value;
+  ExportFormat::Value member;
+};
+
+constexpr FormatOption formatOptions[] = {{"--roi", "FILE", &ExportJob::shapes},
+                                          {"--images", "LIST", &ExportJob::images},
+                                          {"--title", "CODE", &ExportJob::title},
+                                          {"--series", "SERIES", &ExportJob::series}};
 
 // A second run would take the copies for sources.
 bool isWithin(const std::string& folder, const std::string& source) {
@@ -58,7 +72,7 @@ void noteSeries(const std::vector<std::string>& series, const char* what) {
 
 void print(const DeidentifyReport& report, const ExportOptions& options) {
   if (options.json) {
-    std::cout << jsonText({{"folder", pathForJson(options.folder)},
+    std::cout << jsonText({{"folder", pathForJson(options.job.output)},
                            {"written", report.written},
                            {"alreadyThere", report.alreadyThere},
                            {"twice", report.twice},
@@ -72,7 +86,7 @@ void print(const DeidentifyReport& report, const ExportOptions& options) {
     if (report.alreadyThere > 0) std::cout << "; " << report.alreadyThere << " were there already";
     if (report.twice > 0) std::cout << "; " << report.twice << " are copies of others";
     if (report.notDicom > 0) std::cout << "; " << report.notDicom << " files are no DICOM";
-    std::cout << ": " << options.folder << '\n';
+    std::cout << ": " << options.job.output << '\n';
   }
   for (const Refused& one : report.leftOut)
     std::cerr << "volumen: " << one.path << " is left out: " << one.reason << ".\n";
@@ -82,10 +96,33 @@ void print(const DeidentifyReport& report, const ExportOptions& options) {
              "SUV cannot be computed any more (--keep patient,dates keeps what it needs, or --shift-dates)");
 }
 
-int run(const ExportOptions& options, const CancelToken& cancel) {
-  if (!options.deidentifies) return failUsage("Say what leaves: --deidentify.");
-  if (isWithin(options.folder, options.path))
-    return failUsage(options.folder + " lies within " + options.path + ": name another folder.");
+int writeFormat(const ExportFormat& format, const ExportOptions& options, const CancelToken& cancel) {
+  const ExportJob& job = options.job;
+  for (const FormatOption& option : formatOptions) {
+    const bool isGiven = !(job.*option.member).empty(), isNeeded = option.member == format.needs;
+    if (isNeeded && !isGiven)
+      return failUsage("--as " + options.format + " needs " + option.name + " " + option.value + ".");
+    if (isGiven && !isNeeded && std::ranges::find(format.takes, option.member) == format.takes.end())
+      return failUsage(std::string(option.name) + " does not go with --as " + options.format + ".");
+  }
+  if (!options.kept.empty() || options.retained.shiftDays != 0 || !options.keyFile.empty())
+    return failUsage("--keep, --shift-dates and --key go with --deidentify.");
+  const Result<Exported> done = format.write(job, cancel);
+  if (!done) return fail(done.message(), cancel);
+  printNotes(done->notes);
+  if (options.json)
+    std::cout << jsonText({{"file", pathForJson(job.output)}, {"notes", done->notes}});
+  else
+    std::cout << "Wrote " << job.output << ".\n";
+  return statusWith(done->unread);
+}
+
+int deidentify(const ExportOptions& options, const CancelToken& cancel) {
+  const ExportJob& job = options.job;
+  for (const FormatOption& option : formatOptions)
+    if (!(job.*option.member).empty()) return failUsage(std::string(option.name) + " goes with --as.");
+  if (isWithin(job.output, job.path))
+    return failUsage(job.output + " lies within " + job.path + ": name another folder.");
   Deidentification how{options.retained, {}};
   for (const Kept& one : keepable)
     how.retained.*one.member = std::ranges::find(options.kept, one.name) != options.kept.end();
@@ -94,25 +131,52 @@ int run(const ExportOptions& options, const CancelToken& cancel) {
   const auto key = options.keyFile.empty() ? userPseudonymKey() : pseudonymKeyIn(options.keyFile);
   if (!key) return fail(key.message());
   how.key = *key;
-  const auto files = filesOfPath(options.path, terminalProgress(), cancel);
+  const auto files = filesOfPath(job.path, terminalProgress(), cancel);
   if (!files) return fail(files.message(), cancel);
-  const auto report = deidentifyFiles(*files, options.folder, how, terminalProgress(), cancel);
+  const auto report = deidentifyFiles(*files, job.output, how, terminalProgress(), cancel);
   endTerminalProgress();
   if (!report) return fail(report.message(), cancel);
   const int done = report->written + report->alreadyThere;
-  if (done == 0 && report->leftOut.empty()) return fail(options.path + " holds no DICOM files.");
+  if (done == 0 && report->leftOut.empty()) return fail(job.path + " holds no DICOM files.");
   print(*report, options);
   return done == 0 ? exitFailed : report->leftOut.empty() ? exitDone : exitLosses;
+}
+
+int run(const ExportOptions& options, const CancelToken& cancel) {
+  if (options.format.empty() != options.deidentifies)
+    return failUsage("Say what leaves: either --as FORMAT or --deidentify.");
+  if (options.deidentifies) return deidentify(options, cancel);
+  return writeFormat(*std::ranges::find(exportFormats(), options.format, &ExportFormat::name), options,
+                     cancel);
 }
 
 }  // namespace
 
 std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<ExportOptions>();
-  addPath(app, options->path)->required();
-  app.add_option("-o,--output", options->folder, "The folder to write to; files that are there stay")
-      ->type_name("FOLDER")
+  ExportJob& job = options->job;
+  addPath(app, job.path)->required();
+  app.add_option("-o,--output", job.output,
+                 "The file to write (--as), or the folder (--deidentify); files that are there stay")
+      ->type_name("FILE")
       ->required();
+  std::vector<std::string> formats;
+  std::string texts;
+  for (const ExportFormat& format : exportFormats()) {
+    formats.emplace_back(format.name);
+    texts += (texts.empty() ? "" : "; ") + std::string(format.name) + ": " + format.text;
+  }
+  oneOf(app.add_option("--as", options->format, "Write one file of this format. " + texts), formats);
+  app.add_option("--roi", job.shapes, "Of sr: the shapes to measure, as for `volumen measure`")
+      ->type_name("FILE");
+  app.add_option("--images", job.images,
+                 "Of ko: the key images by SOPInstanceUID, separated by commas, each with the number of a "
+                 "frame (from 1) if it has several")
+      ->type_name("UID[/FRAME],...");
+  app.add_option("--title", job.title,
+                 "Of ko: the reason for the choice, a code of CID 7010 (default: 113000, Of Interest)")
+      ->type_name("CODE");
+  addSeries(app, job.series);
   app.add_flag("--deidentify", options->deidentifies,
                "Remove the patient's identity (PS3.15 E, Basic Application Level Confidentiality Profile)");
   std::vector<std::string> names;
@@ -133,8 +197,8 @@ std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
          "~/.config/volumen, made at first)")
       ->type_name("FILE");
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
-  addExamples(app, {"volumen export scans/ --deidentify -o teaching/",
-                    "volumen export scans/ --deidentify --keep patient --shift-dates -400 -o study/"});
+  addExamples(app, {"volumen export scans/ --as sr --roi shapes.json -o report.dcm",
+                    "volumen export scans/ --deidentify -o teaching/"});
   return [options, &cancel] { return run(*options, cancel); };
 }
 

@@ -3,19 +3,13 @@
 #include <memory>
 
 #include "app/command.h"
+#include "app/measured_shapes.h"
 #include "app/open_volume.h"
-#include "app/option_words.h"
 #include "app/output_names.h"
 #include "app/segment_numbers.h"
 #include "app/usage.h"
-#include "io/frames.h"
-#include "io/paths/open_path.h"
-#include "io/regular_file.h"
-#include "io/study/frame_series.h"
 #include "results/numbers/segment_report.h"
 #include "results/numbers/series_columns.h"
-#include "results/series/loaded_frame.h"
-#include "viewer/measure/scaled.h"
 #include "viewer/measure/shape_json.h"
 
 namespace volumen {
@@ -26,49 +20,11 @@ struct MeasureOptions {
   std::string path, shapes, segments, csv, series, unit;
 };
 
-const OptionWords<PetUnit> unitWords{{"SUVbw", PetUnit::suvBodyWeight},
-                                     {"SUVlbm", PetUnit::suvLeanBodyMass},
-                                     {"SUVbsa", PetUnit::suvBodySurface},
-                                     {"file", PetUnit::file}};
-
-PetUnit unitWanted(const MeasureOptions& options) {
-  return options.unit.empty() ? PetUnit::suvBodyWeight : meaning(unitWords, options.unit);
-}
-
-// Returns the scale of a series' values. Without an option it is SUVbw if available. The Error: the requested
-// unit is not available.
-Result<ValueScale> scaleFor(const Series& series, const MeasureOptions& options) {
-  const PetUnit wanted = unitWanted(options);
-  ValueScale scale = valueScale(series, wanted);
-  if (options.unit.empty() || wanted == PetUnit::file || scale.unit == options.unit) return scale;
-  return Error{series.path + ": " + (scale.why.empty() ? "no SUV: it is no PET series" : scale.why) + "."};
-}
-
 // Converts a shape to JSON; its range gets the same unit as its other numbers.
 nlohmann::ordered_json jsonOf(Shape shape, const Result<Measured>& measured, double factor) {
   shape.range.low *= factor, shape.range.high *= factor;
   return measuredToJson(shape, measured);
 }
-
-// Returns no shapes if no file is named.
-Result<std::vector<Shape>> readShapes(const std::string& path) {
-  if (path.empty()) return std::vector<Shape>();
-  constexpr std::uint64_t mostBytes = 16 << 20;
-  const auto file = RegularFile::open(path);
-  if (!file) return Error{"Cannot read the shapes " + path + ": " + file.message() + "."};
-  std::vector<std::uint8_t> text;
-  if (const Status read = file->readUpTo(text, mostBytes); !read)
-    return Error{"Cannot read the shapes " + path + ": " + read.message() + "."};
-  Result<std::vector<Shape>> shapes = shapesFromJson({text.begin(), text.end()});
-  if (!shapes) return Error{path + ": " + shapes.message()};
-  return shapes;
-}
-
-// The series and index of the image on which a shape is drawn.
-struct FrameOfStudy {
-  const Series* series = nullptr;
-  int index = 0;
-};
 
 // Returns the unreadable files of everything that shapes are measured on.
 std::vector<Unread> unreadOf(const std::optional<Opened>& opened, const std::vector<const Series*>& frames) {
@@ -76,53 +32,6 @@ std::vector<Unread> unreadOf(const std::optional<Opened>& opened, const std::vec
   if (opened) all = opened->loaded.unread;
   for (const Series* series : frames) addUnread(all, series->unread);
   return all;
-}
-
-std::optional<FrameOfStudy> findFrame(const std::vector<Series>& all, const ShapeFrame& name) {
-  for (const Series& series : all)
-    if (const auto index = frameMeant(series, name)) return FrameOfStudy{&series, *index};
-  return {};
-}
-
-Result<Measured> measuredOn(const std::vector<Series>& all, const Shape& shape, const MeasureOptions& options,
-                            std::vector<const Series*>& used) {
-  const auto found = findFrame(all, *shape.frame);
-  if (!found)
-    return Error{"No picture here has the instance " + JsonFields::quoted(shape.frame->instance) +
-                 " and a frame " + std::to_string(shape.frame->number) + "."};
-  used.push_back(found->series);
-  Result<Frame> frame = loadFrame(*found->series, found->index);
-  if (!frame) return frame.error();
-  const Result<LoadedFramePtr> shown =
-      shownFrame(*found->series, {keyOf(*found->series), found->index}, std::move(*frame));
-  if (!shown) return shown.error();
-  const auto scale = scaleFor((*shown)->slice->series, options);
-  if (!scale) return scale.error();
-  return scaled(measureOnFrame(shape, pixelsOf(**shown), scale->unit), scale->factor);
-}
-
-// The sources to measure on, as far as they are needed.
-struct Sources {
-  std::optional<Opened> volume;
-  std::vector<Series> frames;
-};
-
-Result<Sources> open(const MeasureOptions& options, const std::vector<Shape>& shapes,
-                     const CancelToken& cancel) {
-  const auto isOnFrame = [](const Shape& shape) { return shape.frame.has_value(); };
-  Sources sources;
-  if (!options.segments.empty() || shapes.empty() || !std::ranges::all_of(shapes, isOnFrame)) {
-    const MemoryUse use = options.segments.empty() ? MemoryUse() : segmenting;
-    Result<Opened> opened = openVolume(options.path, options.series, cancel, use);
-    if (!opened) return opened.error();
-    sources.volume = std::move(*opened);
-  }
-  if (std::ranges::none_of(shapes, isOnFrame)) return sources;
-  const Result<Study> study = openPath(options.path, {}, cancel);
-  if (!study) return study.error();
-  sources.frames = frameSeries(*study);
-  sources.frames.insert(sources.frames.end(), study->volumes.begin(), study->volumes.end());
-  return sources;
 }
 
 void addNotes(Opened& opened, const ValueScale& scale, bool hasShapes) {
@@ -138,16 +47,15 @@ void addNotes(Opened& opened, const ValueScale& scale, bool hasShapes) {
 }
 
 // `used` receives the series of the measured images.
-nlohmann::ordered_json measurementsOf(const std::vector<Shape>& shapes, const Sources& sources,
+nlohmann::ordered_json measurementsOf(const std::vector<Shape>& shapes, const ShapeSources& sources,
                                       const ValueScale& scale, const MeasureOptions& options,
                                       std::vector<const Series*>& used, const CancelToken& cancel) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
   for (const Shape& shape : shapes) {
     if (cancel.cancelled()) break;
-    const Result<Measured> measured =
-        shape.frame ? measuredOn(sources.frames, shape, options, used)
-                    : scaled(measure(shape, *sources.volume->loaded.drawn, scale.unit, cancel), scale.factor);
-    all.push_back(jsonOf(shape, measured, scale.factor));
+    const MeasuredShape one = measuredShape(shape, sources, scale, options.unit, cancel);
+    if (one.series) used.push_back(one.series);
+    all.push_back(jsonOf(shape, one.measured, scale.factor));
   }
   return all;
 }
@@ -162,7 +70,8 @@ Status measureSegments(nlohmann::ordered_json& all, Opened& opened, const Measur
   read.push_back(options.shapes);
   if (!options.csv.empty())
     if (Status s = checkApart({&options.csv, 1}, read); !s) return s;
-  const auto numbers = numbersTold(segments->maps, opened, unitWanted(options), {.overTime = true}, cancel);
+  const auto numbers =
+      numbersTold(segments->maps, opened, petUnitOf(options.unit), {.overTime = true}, cancel);
   if (!numbers) return numbers.error();
   addSegments(all, *numbers);
   addSegmentNotes(opened, numbers->reports);
@@ -172,11 +81,14 @@ Status measureSegments(nlohmann::ordered_json& all, Opened& opened, const Measur
 }
 
 int work(const MeasureOptions& options, const std::vector<Shape>& shapes, const CancelToken& cancel) {
-  Result<Sources> sources = open(options, shapes, cancel);
+  const bool hasSegments = !options.segments.empty();
+  Result<ShapeSources> sources =
+      openForShapes(options.path, options.series, shapes, hasSegments || shapes.empty(),
+                    hasSegments ? segmenting : MemoryUse(), cancel);
   if (!sources) return fail(sources.message(), cancel);
   std::optional<Opened>& opened = sources->volume;
   nlohmann::ordered_json all;
-  const Result<ValueScale> scale = opened ? scaleFor(opened->series, options) : ValueScale{};
+  const Result<ValueScale> scale = opened ? scaleFor(opened->series, options.unit) : ValueScale{};
   if (!scale) return fail(scale.message());
   if (opened) {
     all["series"] = opened->series.id;
@@ -228,7 +140,7 @@ std::function<int()> makeMeasure(CLI::App& app, const CancelToken& cancel) {
   oneOf(app.add_option(
             "--unit", options->unit,
             "Values of PET in SUVbw, SUVlbm, SUVbsa or file, that of the file (default: SUVbw, else file)"),
-        keys(unitWords))
+        keys(petUnitWords()))
       ->type_name("UNIT");
   addExamples(app, {"volumen measure scans/ --roi shapes.json",
                     "volumen measure scans/ --segments first.seg.nrrd --csv numbers.csv"});

@@ -71,7 +71,7 @@ Status addHeaders(const std::vector<std::string>& paths, DocumentSource& source,
   for (const DicomSourceFile& file : read->files) {
     DocumentPicture& picture = source.pictures[file.sopInstanceUid];
     picture.sopClassUid = file.sopClassUid;
-    picture.frames = file.isMultiFrame() ? file.frameCount : 0;
+    picture.frames = file.frameCount;
   }
   return {};
 }
@@ -188,7 +188,7 @@ ContentItem pictureItem(const char* relationship, const Code& name, const Refere
                 {dicomItem, {}, 0, 1},
                 {0x00081150, known.sopClassUid, 0, 1},
                 {instanceUid, picture.sopInstanceUid, 0, 1}};
-  if (known.frames > 0 && !picture.frames.empty())
+  if (known.frames != 1 && !picture.frames.empty())
     item.value.push_back({0x00081160, numbers(picture.frames, 1), 0, 1});
   if (!picture.segments.empty()) item.value.push_back({0x0062000b, numbers(picture.segments, 0), 0, 1});
   return item;

@@ -18,7 +18,7 @@ struct Study;
 /// An image or another object that a document refers to.
 struct DocumentPicture {
   std::string sopClassUid, sopInstanceUid, seriesUid;
-  int frames = 0;       ///< number of frames of a multi-frame image; 0: one frame, or unknown
+  int frames = 0;       ///< number of frames; 0: unknown
   bool isImage = true;  ///< false for presentation states, documents and contours
 };
 

@@ -11,9 +11,10 @@ namespace volumen {
 
 namespace {
 
-bool rejects(const Code& title) {
-  constexpr const char* values[] = {"113001", "113037", "113038", "113039"};
-  return title.scheme == "DCM" && std::ranges::find(values, title.value) != std::end(values);
+Status checkTitle(const std::string& value) {
+  constexpr const char* rejecting[] = {"113001", "113037", "113038", "113039"};
+  if (std::ranges::find(rejecting, value) == std::end(rejecting)) return {};
+  return Error{"The title " + value + " rejects images, which archives then hide; choose another one."};
 }
 
 ContentItem keyContentOf(const KeyObjects& keys, const DocumentSource& source) {
@@ -38,11 +39,20 @@ std::span<const Code> keyObjectTitles() {
   return titles;
 }
 
+Result<Code> keyObjectTitle(const std::string& value) {
+  if (value.empty()) return keyObjectTitles().front();
+  if (Status s = checkTitle(value); !s) return s.error();
+  std::string known;
+  for (const Code& title : keyObjectTitles()) {
+    if (title.value == value) return title;
+    known += (known.empty() ? "" : ", ") + title.value + " " + title.meaning;
+  }
+  return Error{"There is no title " + value + ". Choose one of " + known + "."};
+}
+
 Status writeKeyObjects(const KeyObjects& keys, const DocumentSource& source, const std::string& path) {
   if (keys.pictures.empty()) return Error{"There is no key image to write."};
-  if (rejects(keys.title))
-    return Error{"The title " + keys.title.value + " (" + keys.title.meaning +
-                 ") makes archives hide the images: choose another one."};
+  if (Status s = checkTitle(keys.title.value); !s) return s;
   for (const ReferencedPicture& picture : keys.pictures)
     if (Status s = checkPicture(picture, source); !s) return Error{"Key images: " + s.message() + "."};
   Document document{UID_KeyObjectSelectionDocumentStorage, "KO", "Key images"};

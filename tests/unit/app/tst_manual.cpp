@@ -106,7 +106,8 @@ void TestManual::initTestCase() {
     QFile file(folder_.filePath(QLatin1String(name)));
     return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
   };
-  QVERIFY(write("scene.json", "{}") && write("shapes.json", "[]"));
+  QVERIFY(write("scene.json", "{}"));
+  QVERIFY(write("shapes.json", R"([{"kind": "length", "points": [[0, 0, 0], [10, 0, 0]]}])"));
   qputenv("XDG_CONFIG_HOME", folder_.path().toUtf8());
   QVERIFY(QDir(folder_.path()).mkdir(QStringLiteral("volumen")));
   DicomPicture picture{.seriesUid = "1.2.3.1"};

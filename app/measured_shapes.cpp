@@ -1,0 +1,109 @@
+#include "app/measured_shapes.h"
+
+#include <algorithm>
+
+#include "io/frames.h"
+#include "io/paths/open_path.h"
+#include "io/regular_file.h"
+#include "io/study/frame_series.h"
+#include "results/series/loaded_frame.h"
+#include "viewer/measure/scaled.h"
+#include "viewer/measure/shape_json.h"
+
+namespace volumen {
+
+namespace {
+
+// The series and index of the image on which a shape is drawn.
+struct FrameOfStudy {
+  const Series* series = nullptr;
+  int index = 0;
+};
+
+std::optional<FrameOfStudy> findFrame(const std::vector<Series>& all, const ShapeFrame& name) {
+  for (const Series& series : all)
+    if (const auto index = frameMeant(series, name)) return FrameOfStudy{&series, *index};
+  return {};
+}
+
+MeasuredShape measuredOnFrame(const Shape& shape, const std::vector<Series>& all, const std::string& unit) {
+  const auto found = findFrame(all, *shape.frame);
+  if (!found)
+    return {Error{"No picture here has the instance " + JsonFields::quoted(shape.frame->instance) +
+                  " and a frame " + std::to_string(shape.frame->number) + "."}};
+  MeasuredShape out{Measured{}, found->series, found->index};
+  const auto failed = [&](const Error& error) {
+    out.measured = error;
+    return out;
+  };
+  Result<Frame> frame = loadFrame(*found->series, found->index);
+  if (!frame) return failed(frame.error());
+  const Result<LoadedFramePtr> shown =
+      shownFrame(*found->series, {keyOf(*found->series), found->index}, std::move(*frame));
+  if (!shown) return failed(shown.error());
+  const auto scale = scaleFor((*shown)->slice->series, unit);
+  if (!scale) return failed(scale.error());
+  out.measured = scaled(measureOnFrame(shape, pixelsOf(**shown), scale->unit), scale->factor);
+  out.pixelMm = (*shown)->pixel.mm;
+  return out;
+}
+
+}  // namespace
+
+const OptionWords<PetUnit>& petUnitWords() {
+  static const OptionWords<PetUnit> words{{"SUVbw", PetUnit::suvBodyWeight},
+                                          {"SUVlbm", PetUnit::suvLeanBodyMass},
+                                          {"SUVbsa", PetUnit::suvBodySurface},
+                                          {"file", PetUnit::file}};
+  return words;
+}
+
+PetUnit petUnitOf(const std::string& word) {
+  return word.empty() ? PetUnit::suvBodyWeight : meaning(petUnitWords(), word);
+}
+
+Result<ValueScale> scaleFor(const Series& series, const std::string& unit) {
+  const PetUnit wanted = petUnitOf(unit);
+  ValueScale scale = valueScale(series, wanted);
+  if (unit.empty() || wanted == PetUnit::file || scale.unit == unit) return scale;
+  return Error{series.path + ": " + (scale.why.empty() ? "no SUV: it is no PET series" : scale.why) + "."};
+}
+
+Result<std::vector<Shape>> readShapes(const std::string& path) {
+  if (path.empty()) return std::vector<Shape>();
+  constexpr std::uint64_t mostBytes = 16 << 20;
+  const auto file = RegularFile::open(path);
+  if (!file) return Error{"Cannot read the shapes " + path + ": " + file.message() + "."};
+  std::vector<std::uint8_t> text;
+  if (const Status read = file->readUpTo(text, mostBytes); !read)
+    return Error{"Cannot read the shapes " + path + ": " + read.message() + "."};
+  Result<std::vector<Shape>> shapes = shapesFromJson({text.begin(), text.end()});
+  if (!shapes) return Error{path + ": " + shapes.message()};
+  return shapes;
+}
+
+Result<ShapeSources> openForShapes(const std::string& path, const std::string& series,
+                                   const std::vector<Shape>& shapes, bool needsVolume, const MemoryUse& use,
+                                   const CancelToken& cancel) {
+  const auto isOnFrame = [](const Shape& shape) { return shape.frame.has_value(); };
+  ShapeSources sources;
+  if (needsVolume || !std::ranges::all_of(shapes, isOnFrame)) {
+    Result<Opened> opened = openVolume(path, series, cancel, use);
+    if (!opened) return opened.error();
+    sources.volume = std::move(*opened);
+  }
+  if (std::ranges::none_of(shapes, isOnFrame)) return sources;
+  const Result<Study> study = openPath(path, {}, cancel);
+  if (!study) return study.error();
+  sources.frames = frameSeries(*study);
+  sources.frames.insert(sources.frames.end(), study->volumes.begin(), study->volumes.end());
+  return sources;
+}
+
+MeasuredShape measuredShape(const Shape& shape, const ShapeSources& sources, const ValueScale& scale,
+                            const std::string& unit, const CancelToken& cancel) {
+  if (shape.frame) return measuredOnFrame(shape, sources.frames, unit);
+  return {scaled(measure(shape, *sources.volume->loaded.drawn, scale.unit, cancel), scale.factor)};
+}
+
+}  // namespace volumen

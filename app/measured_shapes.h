@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/open_volume.h"
+#include "app/option_words.h"
+#include "io/study/suv.h"
+#include "viewer/measure/measure.h"
+
+namespace volumen {
+
+/// The words of --unit.
+const OptionWords<PetUnit>& petUnitWords();
+/// Returns the unit of a word of --unit; SUVbw for an empty one.
+PetUnit petUnitOf(const std::string& word);
+/// Returns the scale of a series' values in the unit of a word of --unit, by default SUVbw if available. The
+/// Error: the requested unit is not available.
+Result<ValueScale> scaleFor(const Series& series, const std::string& unit);
+
+/// Reads the file of --roi; no shapes if none is named.
+Result<std::vector<Shape>> readShapes(const std::string& path);
+
+/// The sources to measure shapes on, as far as they are needed.
+struct ShapeSources {
+  std::optional<Opened> volume;
+  std::vector<Series> frames;
+};
+/// Opens the series `series` of a path unless all shapes are on frames, and its frames if shapes are on some.
+/// `needsVolume`: the volume is needed besides.
+Result<ShapeSources> openForShapes(const std::string& path, const std::string& series,
+                                   const std::vector<Shape>& shapes, bool needsVolume, const MemoryUse& use,
+                                   const CancelToken& cancel);
+
+/// A measured shape, and the frame that it was measured on.
+struct MeasuredShape {
+  Result<Measured> measured;
+  const Series* series = nullptr;  ///< of the frame; null: it was measured in the volume, or on nothing
+  int frame = 0;                   ///< index in `series`
+  glm::dvec2 pixelMm{1};           ///< size of a pixel of the frame, or its proportions
+};
+/// Measures a shape on its frame, or in the volume, whose values have `scale`. `unit` as for scaleFor().
+MeasuredShape measuredShape(const Shape& shape, const ShapeSources& sources, const ValueScale& scale,
+                            const std::string& unit, const CancelToken& cancel);
+
+}  // namespace volumen
