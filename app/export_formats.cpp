@@ -74,9 +74,10 @@ class ShapesToReport {
   }
 
   ReportedOn placeOf(const MeasuredShape& one) const {
-    if (one.series) return {one.series, {}, {}, false, one.frame, one.pixelMm};
+    if (one.series) return {one.series, {}, {}, {}, false, one.frame, one.pixelMm};
     const Opened& opened = *sources_.volume;
-    return {&opened.series, opened.loaded.drawn->geometry(), opened.loaded.places, isTiled_};
+    const Loaded& loaded = opened.loaded;
+    return {&opened.series, loaded.drawn->geometry(), loaded.origins, loaded.places, isTiled_};
   }
 
   const ExportJob& job_;

@@ -167,7 +167,7 @@ class Copier {
         continue;
       }
       const std::vector<DataSet::Scope> items = data_.items(e.tag, scope);
-      if (depth == deepest || (depth == 0 && items.empty())) continue;
+      if (depth == deepest || (depth == 0 && items.empty() && !asStored_)) continue;
       out.push_back({e.tag, {}, vr, depth});
       for (const DataSet::Scope& item : items) {
         out.push_back({dicomItem, {}, 0, depth + 1});
@@ -177,9 +177,10 @@ class Copier {
   }
 
   // Converts a value to its form in single-frame images.
-  static void addValue(DicomElement e, DicomElements& out) {
+  void addValue(DicomElement e, DicomElements& out) const {
     constexpr std::uint32_t phaseEncodingDirection = 0x00181312;
-    if (e.depth == 0 && e.value.empty()) return;  // the writer adds required empty elements itself
+    // Writers of images add required empty elements themselves.
+    if (e.depth == 0 && e.value.empty() && !asStored_) return;
     if (e.tag == phaseEncodingDirection && e.value == "COLUMN") e.value = "COL";
     out.push_back(std::move(e));
   }

@@ -95,7 +95,7 @@ std::string trackingIdOf(const Shape& shape) {
 class ReportPlaces {
  public:
   ReportPlaces(const Shape& shape, const ReportedOn& on) : shape_(shape), on_(on) {
-    if (!shape.frame && !on.isTiled) slice_ = sliceOf(shape);
+    if (!shape.frame && !on.isTiled) slice_ = sliceOf(shape.points);
   }
 
   // Returns the shape with these points, in the shape's own space.
@@ -143,18 +143,27 @@ class ReportPlaces {
     return int(best);
   }
 
-  // Returns the acquired slice that all points lie on.
-  std::optional<int> sliceOf(const Shape& shape) const {
+  // Returns the acquired slice that all points lie on: the one that a slice of the grid is, or one between
+  // them.
+  std::optional<int> sliceOf(const Points& points) const {
+    if (points.empty()) return {};
+    const double k = on_.grid.voxelFromPatient(points[0]).z, drawn = std::round(k);
+    const bool isInGrid = drawn >= 0 && drawn < double(on_.origins.size());
+    if (isInGrid && areOn(points, drawn))
+      if (const SliceOrigin& origin = on_.origins[std::size_t(drawn)]; !origin.isInterpolated())
+        return origin.below;
+    const int slice = nearestSlice(k);
+    if (!areOn(points, placeOf(std::size_t(slice)))) return {};
+    return slice;
+  }
+
+  bool areOn(const Points& points, double k) const {
     constexpr double offMm = 0.01;
-    if (shape.points.empty()) return {};
     const glm::dmat3& step = on_.grid.patientFromVoxelStep;
     const double sliceMm = std::abs(glm::dot(step[2], glm::normalize(glm::cross(step[0], step[1]))));
-    const int slice = nearestSlice(on_.grid.voxelFromPatient(shape.points[0]).z);
-    const auto isOn = [&](glm::dvec3 p) {
-      return std::abs(on_.grid.voxelFromPatient(p).z - placeOf(std::size_t(slice))) * sliceMm <= offMm;
-    };
-    if (!std::ranges::all_of(shape.points, isOn)) return {};
-    return slice;
+    return std::ranges::all_of(points, [&](glm::dvec3 p) {
+      return std::abs(on_.grid.voxelFromPatient(p).z - k) * sliceMm <= offMm;
+    });
   }
 
   // The centre of the first pixel is at 0.5, 0.5 (PS3.3 C.18.6.1).

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "io/report.h"
+#include "io/study/loaded.h"
 #include "io/study/series.h"
 #include "viewer/measure/measure.h"
 
@@ -12,11 +13,12 @@ namespace volumen {
 /// The images that a shape is measured on.
 struct ReportedOn {
   const Series* series = nullptr;
-  VoxelGeometry grid{};          ///< the measured grid; unused for shapes on frames
-  std::vector<double> places{};  ///< as in Loaded: acquired slices along k of `grid`; empty: its slices
-  bool isTiled = false;          ///< its slices are tiles of one image (mosaic), so that pixels do not fit
-  int frame = 0;                 ///< index in the series of the frame that a shape is drawn on
-  glm::dvec2 pixelMm{1};         ///< size of a pixel of that frame, or its proportions
+  VoxelGeometry grid{};                ///< the measured grid; unused for shapes on frames
+  std::vector<SliceOrigin> origins{};  ///< as in Loaded: the acquired slice that each slice of `grid` is
+  std::vector<double> places{};        ///< as in Loaded: acquired slices along k of `grid`; empty: its slices
+  bool isTiled = false;   ///< its slices are tiles of one image (mosaic), so that pixels do not fit
+  int frame = 0;          ///< index in the series of the frame that a shape is drawn on
+  glm::dvec2 pixelMm{1};  ///< size of a pixel of that frame, or its proportions
 };
 
 /// Returns a measured shape as a measurement group of TID 1500 that OHIF brings back to life: its tracking
