@@ -129,15 +129,18 @@ class Copier {
     return all;
   }
 
-  // Returns patient and study with their texts as stored. Nothing if one of them is not in the declared
+  // Sets patient and study of a file, with empty elements. Texts stay as stored if all are in the declared
   // character set.
-  std::optional<DicomElements> ofStudyAsStored() const {
+  void setStudy(DicomSourceFile& file) const {
     Copier copier(data_, bytes_);
-    copier.asStored_ = true;
-    DicomElements all;
-    copier.add(data_.root(), 0, all);
-    if (!copier.isAsDeclared_) return {};
-    return all;
+    copier.ofStudy_ = copier.asStored_ = true;
+    copier.add(data_.root(), 0, file.ofStudy);
+    file.characterSet = data_.text(characterSet, data_.root());
+    if (copier.isAsDeclared_) return;
+    copier.asStored_ = false;
+    file.ofStudy.clear();
+    copier.add(data_.root(), 0, file.ofStudy);
+    file.characterSet = "ISO_IR 192";
   }
 
   // Returns elements from the functional groups of one frame, or from the shared ones.
@@ -159,7 +162,7 @@ class Copier {
       const dicom::Element& e = data_.element(n);
       const bool isPrivate = e.tag >> 16 & 1;
       if (e.tag == characterSet && depth > 0) isAsDeclared_ = false;  // texts of this item are in another one
-      const bool isWanted = depth > 0 || (asStored_ ? isOfStudy(e.tag) : isCopied(e.tag));
+      const bool isWanted = depth > 0 || (ofStudy_ ? isOfStudy(e.tag) : isCopied(e.tag));
       if (isPrivate || e.tag == characterSet || !isWanted) continue;
       const std::uint16_t vr = e.vr && e.vr != vrOf('U', 'N') ? e.vr : dictionaryVr(e.tag);
       if (vr != vrOf('S', 'Q')) {
@@ -167,7 +170,7 @@ class Copier {
         continue;
       }
       const std::vector<DataSet::Scope> items = data_.items(e.tag, scope);
-      if (depth == deepest || (depth == 0 && items.empty() && !asStored_)) continue;
+      if (depth == deepest || (depth == 0 && items.empty() && !ofStudy_)) continue;
       out.push_back({e.tag, {}, vr, depth});
       for (const DataSet::Scope& item : items) {
         out.push_back({dicomItem, {}, 0, depth + 1});
@@ -180,7 +183,7 @@ class Copier {
   void addValue(DicomElement e, DicomElements& out) const {
     constexpr std::uint32_t phaseEncodingDirection = 0x00181312;
     // Writers of images add required empty elements themselves.
-    if (e.depth == 0 && e.value.empty() && !asStored_) return;
+    if (e.depth == 0 && e.value.empty() && !ofStudy_) return;
     if (e.tag == phaseEncodingDirection && e.value == "COLUMN") e.value = "COL";
     out.push_back(std::move(e));
   }
@@ -282,7 +285,8 @@ class Copier {
 
   const DataSet& data_;
   dicom::Bytes bytes_;
-  bool asStored_ = false;
+  bool ofStudy_ = false;   // only elements of patient and study, empty ones included
+  bool asStored_ = false;  // texts are not converted to UTF-8
   mutable bool isAsDeclared_ = true;
 };
 
@@ -302,9 +306,7 @@ DicomSourceFile sourceOf(const dicom::InspectedFile& file) {
   source.elements = copier.ofFile();
   for (const DataSet::Scope& shared : data.items(dicom::FrameScopes::sharedGroups, data.root()))
     std::ranges::move(copier.ofGroups(shared), std::back_inserter(source.elements));
-  const auto stored = copier.ofStudyAsStored();
-  source.ofStudy = stored ? *stored : studyElements(source.elements);
-  source.characterSet = stored ? data.text(characterSet, data.root()) : "ISO_IR 192";
+  copier.setStudy(source);
   const auto ofFrames = data.items(dicom::FrameScopes::perFrameGroups, data.root());
   for (std::size_t n = 0; n < header.slices.size(); ++n) {
     const dicom::Slice& slice = header.slices[n];

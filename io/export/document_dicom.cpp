@@ -67,7 +67,8 @@ Status addHeaders(const std::vector<std::string>& paths, DocumentSource& source,
   const DicomSourceFile& first = read->files.front();
   source.study = first.ofStudy;
   source.characterSet = first.characterSet;
-  source.utf8 = studyElements(first.elements);
+  source.utf8 = first.ofStudy;
+  for (DicomElement& e : source.utf8) e.value = dicom::toUtf8(e.value, source.characterSet);
   for (const DicomSourceFile& file : read->files) {
     DocumentPicture& picture = source.pictures[file.sopInstanceUid];
     picture.sopClassUid = file.sopClassUid;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "io/export/document_dicom.h"
+#include "io/report.h"
 #include "tests/unit/io/dicom_folder.h"
 #include "tests/unit/io/dicom_frames.h"
 #include "tests/unit/io/dicom_objects.h"
@@ -72,5 +73,17 @@ class DocumentStudy {
   std::vector<std::string> slices_, clip_;
   std::string segmentation_;
 };
+
+/// Returns a report that can be written: a length on a slice.
+inline Report oneLength(const DocumentStudy& study, double value = 12.5) {
+  ReportShape line{ReportShape::Type::polyline, false, {{1, 2, 0}, {3, 4, 0}}, {}, {}, {}};
+  line.pictures.push_back({study.slices()[1], {}, {}, {}});
+  MeasurementGroup group;
+  group.trackingId = "Cornerstone3DTools@^0.1.0:Length";
+  group.trackingUid = "2.25.1";
+  group.measurements.push_back(
+      {{"410668003", "SCT", "Length"}, {"mm", "UCUM", "millimeter"}, value, {}, {line}});
+  return {{"126000", "DCM", "Imaging Measurement Report"}, {group}, {}};
+}
 
 }  // namespace volumen::tests
