@@ -102,8 +102,8 @@ std::string dateOrTime(std::string text);
 /// cannot be converted become U+FFFD.
 std::string toUtf8(const std::string& text, const std::string& specificCharacterSet);
 
-/// Returns UTF-8 text in a character set, as toUtf8() reads it. Nothing if the set does not hold all of it, or
-/// for other than plain ASCII text in sets with code extensions.
+/// Returns UTF-8 text in a character set, as toUtf8() reads it. Nothing if the set does not hold all of it,
+/// or for other than plain ASCII text in sets with code extensions.
 std::optional<std::string> fromUtf8(const std::string& text, const std::string& specificCharacterSet);
 
 /// Returns a sentence, without a file's name, about an unusual declaration of the character set of `text`,
