@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iterator>
 
-#include "io/archive/fetched_studies.h"
 #include "io/dicom/directory.h"
 #include "io/dicom/import.h"
 #include "io/files/image_pair.h"
@@ -86,7 +85,6 @@ void addFiles(const FoundFiles& found, bool all, const Progress& progress, const
 
 Result<Study> open(const FoundFiles& found, bool all, const Progress& progress, const CancelToken& cancel) {
   Study study;
-  useFetched(found.files);
   addFiles(found, all, progress, cancel, study);
   if (cancel.cancelled()) return Error{"Interrupted."};
   arrange(study);

@@ -203,6 +203,15 @@ void useFetched(const std::vector<std::string>& files) {
   }
 }
 
+void useFetched(const Study& study) {
+  std::vector<std::string> files;
+  for (const Series& series : study.volumes)
+    files.insert(files.end(), series.files.begin(), series.files.end());
+  for (const Image& image : study.images) files.push_back(image.path);
+  for (const DerivedObject& object : study.derived) files.push_back(object.path);
+  useFetched(files);
+}
+
 Status beginReceived(const std::string& folder, const std::string& study, const std::string& series) {
   const std::string path = folder + "/" + study + "/" + series;
   // A fetch that begins from now on finds the study here, and makes no mark.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/study/study.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
@@ -20,6 +21,7 @@ Status beginFetched(const std::string& studyFolder, const std::string& studyUid)
 
 /// Notes that files are used: those of fetched studies stay until this program ends, as above.
 void useFetched(const std::vector<std::string>& files);
+void useFetched(const Study& study);
 
 /// Makes the folder of a series for images that a peer sends, below that of its study in `folder`. The study
 /// loses its mark: nobody else may have them. The Error: the folder cannot be made.

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "io/archive/fetched_studies.h"
 #include "io/index/index.h"
 #include "io/open.h"
 #include "io/paths/archive_path.h"
@@ -96,9 +97,14 @@ Result<std::vector<std::string>> filesOfPath(const std::string& path, const Prog
 }
 
 Result<Study> openPath(const std::string& path, const Progress& progress, const CancelToken& cancel) {
-  if (!path.starts_with(archivePrefix) && !path.starts_with(prefix)) return openStudy(path, progress, cancel);
+  if (!path.starts_with(archivePrefix) && !path.starts_with(prefix)) {
+    Result<Study> study = openStudy(path, progress, cancel);
+    if (study) useFetched(*study);
+    return study;
+  }
   const Result<std::vector<std::string>> files = filesOfPath(path, progress, cancel);
   if (!files) return files.error();
+  useFetched(*files);
   Result<Study> study = openFiles(*files, progress, cancel);
   return study ? std::move(study) : Error{path + ": interrupted."};
 }

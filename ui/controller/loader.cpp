@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "io/archive/fetched_studies.h"
 #include "io/curved.h"
 #include "io/paths/open_path.h"
 #include "io/load.h"
@@ -107,6 +108,7 @@ void Loader::openFiles(const QString& name, const OpenIntent& intent) {
   const int job = open_.run(
       opening(folder),
       [files = intent.files](const Job& open) {
+        useFetched(files);
         return shared(volumen::openFiles(files, open.progress(), open.cancel()));
       },
       orFailed([this, name, intent](const auto& study) { Q_EMIT filesOpened(name, study, intent); }));

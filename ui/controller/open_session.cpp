@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "io/archive/fetched_studies.h"
 #include "io/files/output_file.h"
 #include "io/files/session_file.h"
 #include "io/paths/open_path.h"
@@ -101,6 +102,7 @@ class Search {
     Place& place = at->second;
     if (!isNew || cancel_.cancelled()) return place;
     if (Result<Study> study = opened(path)) {
+      useFetched(*study);
       place.series = allSeriesOf(*study);
       place.study = std::make_shared<const Study>(withPictureStacks(std::move(*study)));
     }
