@@ -294,10 +294,7 @@ Result<std::string> Association::find(const std::string& model, DcmDataset& keys
   const T_ASC_PresentationContextID context = p_->contextOf(model);
   if (context == 0) return p_->says("offers no search (C-FIND)");
   T_DIMSE_C_FindRQ request{};
-  request.MessageID = p_->association->nextMsgID++;
-  std::strncpy(request.AffectedSOPClassUID, model.c_str(), sizeof request.AffectedSOPClassUID - 1);
-  request.DataSetType = DIMSE_DATASET_PRESENT;
-  request.Priority = DIMSE_PRIORITY_MEDIUM;
+  p_->fill(request, model);
   Answers answers{p_->association, p_->watch, context, onAnswer};
   p_->watch.allow(mostBytesOfCommand, mostTimeOfAnswer);
   T_DIMSE_C_FindRSP response{};

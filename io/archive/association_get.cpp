@@ -7,6 +7,7 @@
 
 #include "io/archive/association_private.h"
 #include "io/archive/receive_data_set.h"
+#include "io/archive/received_files.h"
 #include "io/dicom/instance_uids.h"
 #include "io/worker/call.h"
 
@@ -82,7 +83,7 @@ class Retrieval {
   const Status& problem() const { return problem_; }
 
  private:
-  static constexpr unsigned pending = 0xff00, outOfResources = 0xa700, notUnderstood = 0xc000;
+  static constexpr unsigned pending = 0xff00;
 
   static OFCondition endless() {
     return makeOFCondition(OFM_dcmnet, DIMSEC_UNEXPECTEDREQUEST, OF_error,
@@ -99,18 +100,12 @@ class Retrieval {
     else
       refuse(path.error()), done = skipDataSet(association_, request.DataSetType);
     if (done.bad()) return done;
-    T_DIMSE_C_StoreRSP response{};
-    response.MessageIDBeingRespondedTo = request.MessageID;
-    response.DimseStatus = DIC_US(!problem_ ? outOfResources : isKept_ ? 0 : notUnderstood);
     pending_ = 0;
     if (isCancelled_ && ++afterCancel_ > mostImagesAfterCancel) return endless();
-    response.DataSetType = DIMSE_DATASET_NULL;
-    std::memcpy(response.AffectedSOPClassUID, request.AffectedSOPClassUID,
-                sizeof response.AffectedSOPClassUID);
-    std::memcpy(response.AffectedSOPInstanceUID, request.AffectedSOPInstanceUID,
-                sizeof response.AffectedSOPInstanceUID);
-    response.opts = O_STORE_AFFECTEDSOPCLASSUID | O_STORE_AFFECTEDSOPINSTANCEUID;
-    done = DIMSE_sendStoreResponse(association_, context, &request, &response, nullptr);
+    done = answerStorage(association_, context, request,
+                         !problem_ ? outOfResources
+                         : isKept_ ? 0
+                                   : notUnderstood);
     if (done.good() && !problem_ && !std::exchange(isCancelled_, true))
       done = DIMSE_sendCancelRequest(association_, context_, message_);
     return done;
@@ -153,27 +148,28 @@ class Retrieval {
 
 }  // namespace
 
+// Sends a request, and takes what the archive answers.
+Result<std::string> Association::Private::retrieve(T_ASC_PresentationContextID context,
+                                                   T_DIMSE_Message& message, DIC_US id, DcmDataset& keys,
+                                                   InstanceSink* sink) {
+  OFCondition done =
+      DIMSE_sendMessageUsingMemoryData(association, context, &message, nullptr, &keys, nullptr, nullptr);
+  std::string refusal;
+  Retrieval retrieval(association, watch, context, id, sink);
+  if (done.good()) done = retrieval.take(refusal);
+  const Error failure = done.bad() ? this->failure(done) : Error();
+  if (!retrieval.problem()) return retrieval.problem().error();
+  if (done.bad()) return failure;
+  return refusal.empty() ? refusal : says(refusal).message;
+}
+
 Result<std::string> Association::get(const std::string& model, DcmDataset& keys, InstanceSink& sink) {
   const T_ASC_PresentationContextID context = p_->contextOf(model);
   if (context == 0) return p_->says("offers no retrieval over one association (C-GET)");
   T_DIMSE_Message message{};
   message.CommandField = DIMSE_C_GET_RQ;
-  T_DIMSE_C_GetRQ& request = message.msg.CGetRQ;
-  request.MessageID = p_->association->nextMsgID++;
-  std::strncpy(request.AffectedSOPClassUID, model.c_str(), sizeof request.AffectedSOPClassUID - 1);
-  request.DataSetType = DIMSE_DATASET_PRESENT;
-  request.Priority = DIMSE_PRIORITY_MEDIUM;
-  OFCondition done =
-      DIMSE_sendMessageUsingMemoryData(p_->association, context, &message, nullptr, &keys, nullptr, nullptr);
-  std::string refusal;
-  Retrieval retrieval(p_->association, p_->watch, context, request.MessageID, &sink);
-  if (done.good()) done = retrieval.take(refusal);
-  if (done.bad()) {
-    const Error failure = p_->failure(done);
-    return retrieval.problem() ? failure : retrieval.problem().error();
-  }
-  if (!retrieval.problem()) return retrieval.problem().error();
-  return refusal.empty() ? refusal : p_->says(refusal).message;
+  p_->fill(message.msg.CGetRQ, model);
+  return p_->retrieve(context, message, message.msg.CGetRQ.MessageID, keys, &sink);
 }
 
 Result<std::string> Association::move(const std::string& model, DcmDataset& keys,
@@ -183,19 +179,10 @@ Result<std::string> Association::move(const std::string& model, DcmDataset& keys
   T_DIMSE_Message message{};
   message.CommandField = DIMSE_C_MOVE_RQ;
   T_DIMSE_C_MoveRQ& request = message.msg.CMoveRQ;
-  request.MessageID = p_->association->nextMsgID++;
-  std::strncpy(request.AffectedSOPClassUID, model.c_str(), sizeof request.AffectedSOPClassUID - 1);
+  p_->fill(request, model);
   std::strncpy(request.MoveDestination, destination.c_str(), sizeof request.MoveDestination - 1);
-  request.DataSetType = DIMSE_DATASET_PRESENT;
-  request.Priority = DIMSE_PRIORITY_MEDIUM;
-  OFCondition done =
-      DIMSE_sendMessageUsingMemoryData(p_->association, context, &message, nullptr, &keys, nullptr, nullptr);
   p_->watch.silence = mostSilenceOfMove;
-  std::string refusal;
-  Retrieval retrieval(p_->association, p_->watch, context, request.MessageID, nullptr);
-  if (done.good()) done = retrieval.take(refusal);
-  if (done.bad()) return p_->failure(done);
-  return refusal.empty() ? refusal : p_->says(refusal).message;
+  return p_->retrieve(context, message, request.MessageID, keys, nullptr);
 }
 
 }  // namespace volumen

@@ -5,6 +5,7 @@
 #include <dcmtk/dcmnet/dimse.h>
 #include <dcmtk/dcmtls/tlslayer.h>
 
+#include <cstring>
 #include <map>
 #include <utility>
 
@@ -34,6 +35,18 @@ struct Association::Private {
   /// Sends a data set and returns what Association::store() does.
   Result<std::string> store(const dicom::InstanceUids& uids, T_ASC_PresentationContextID context,
                             DcmDataset& data);
+  /// Sends a request of this id with its keys, and returns what Association::get() does. Without a sink no
+  /// instances come over this association (C-MOVE).
+  Result<std::string> retrieve(T_ASC_PresentationContextID context, T_DIMSE_Message& message, DIC_US id,
+                               DcmDataset& keys, InstanceSink* sink);
+  /// Fills a request that a data set follows.
+  template <class Request>
+  void fill(Request& request, const std::string& sopClass) {
+    request.MessageID = association->nextMsgID++;
+    std::strncpy(request.AffectedSOPClassUID, sopClass.c_str(), sizeof request.AffectedSOPClassUID - 1);
+    request.DataSetType = DIMSE_DATASET_PRESENT;
+    request.Priority = DIMSE_PRIORITY_MEDIUM;
+  }
   /// Notes the contexts that the archive has accepted.
   void noteContexts();
 

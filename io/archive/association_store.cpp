@@ -117,12 +117,9 @@ Result<std::string> Association::store(const dicom::InstanceUids& uids, const st
 Result<std::string> Association::Private::store(const dicom::InstanceUids& uids,
                                                 T_ASC_PresentationContextID context, DcmDataset& data) {
   T_DIMSE_C_StoreRQ request{};
-  request.MessageID = association->nextMsgID++;
-  std::strncpy(request.AffectedSOPClassUID, uids.sopClass.c_str(), sizeof request.AffectedSOPClassUID - 1);
+  fill(request, uids.sopClass);
   std::strncpy(request.AffectedSOPInstanceUID, uids.instance.c_str(),
                sizeof request.AffectedSOPInstanceUID - 1);
-  request.DataSetType = DIMSE_DATASET_PRESENT;
-  request.Priority = DIMSE_PRIORITY_MEDIUM;
   watch.allow(mostBytesOfCommand, std::chrono::hours(24));
   T_DIMSE_C_StoreRSP response{};
   DcmDataset* detail = nullptr;

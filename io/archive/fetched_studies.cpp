@@ -106,17 +106,23 @@ struct MarkedStudy {
   std::uint64_t bytes = 0;
 };
 
-std::uint64_t bytesIn(const Descriptor& study) {
-  std::uint64_t bytes = 0;
+// Calls `visit(folder, name)` for the images of a study; nothing else counts, and no link is followed.
+template <class Visit>
+void forEachImage(const Descriptor& study, Visit visit) {
   for (const std::string& series : namesIn(study)) {
     if (!isNameForUid(series)) continue;
-    const Descriptor folder = openFolder(study.get(), series);
-    if (!folder) continue;
-    struct stat file {};
-    for (const std::string& name : namesIn(folder))
-      if (isInstanceName(name) && ::fstatat(folder.get(), name.c_str(), &file, AT_SYMLINK_NOFOLLOW) == 0)
-        bytes += std::uint64_t(file.st_size);
+    if (const Descriptor folder = openFolder(study.get(), series); folder)
+      for (const std::string& name : namesIn(folder))
+        if (isInstanceName(name)) visit(folder.get(), name.c_str());
   }
+}
+
+std::uint64_t bytesIn(const Descriptor& study) {
+  std::uint64_t bytes = 0;
+  forEachImage(study, [&](int folder, const char* name) {
+    struct stat file {};
+    if (::fstatat(folder, name, &file, AT_SYMLINK_NOFOLLOW) == 0) bytes += std::uint64_t(file.st_size);
+  });
   return bytes;
 }
 
@@ -138,17 +144,6 @@ std::vector<MarkedStudy> markedStudies(const Descriptor& root, const Marks& mark
 Descriptor openUnused(const Descriptor& root, const std::string& study) {
   Descriptor folder = openFolder(root.get(), study);
   return folder && ::flock(folder.get(), LOCK_EX | LOCK_NB) == 0 ? std::move(folder) : Descriptor();
-}
-
-// Removes the images of a study. Nothing else goes, and no link is followed.
-void removeImages(const Descriptor& study) {
-  for (const std::string& series : namesIn(study)) {
-    if (!isNameForUid(series)) continue;
-    const Descriptor folder = openFolder(study.get(), series);
-    if (!folder) continue;
-    for (const std::string& file : namesIn(folder))
-      if (isInstanceName(file)) ::unlinkat(folder.get(), file.c_str(), 0);
-  }
 }
 
 // Removes the empty folders of a study, unless somebody has begun to fill them again.
@@ -241,7 +236,7 @@ Result<std::vector<std::string>> trimFetched(const std::string& indexFolder, std
       if (bytes <= mostBytes && study.bytes > 0) continue;
       const Descriptor unused = openUnused(folder, study.name);
       if (!unused) continue;
-      removeImages(unused);
+      forEachImage(unused, [](int images, const char* name) { ::unlinkat(images, name, 0); });
       emptied.push_back(study.name);
       bytes -= study.bytes;
       if (study.bytes > 0) uids.push_back(marks->uidOf(study.name));

@@ -179,10 +179,7 @@ class Incoming {
     OFCondition done = file(context, request, filed);
     if (done.bad()) return done;
     isInInstance_ = false;
-    T_DIMSE_C_StoreRSP response{};
-    response.DimseStatus = DIC_US(filed.status);
-    response.DataSetType = DIMSE_DATASET_NULL;
-    done = DIMSE_sendStoreResponse(association_, context, &request, &response, nullptr);
+    done = answerStorage(association_, context, request, filed.status);
     note(filed);
     return done;
   }

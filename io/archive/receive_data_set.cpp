@@ -78,6 +78,14 @@ OFCondition receiveDataSet(T_ASC_Association* association, T_ASC_PresentationCon
   return done;
 }
 
+OFCondition answerStorage(T_ASC_Association* association, T_ASC_PresentationContextID context,
+                          const T_DIMSE_C_StoreRQ& request, unsigned status) {
+  T_DIMSE_C_StoreRSP response{};  // DCMTK adds what the request says
+  response.DimseStatus = DIC_US(status);
+  response.DataSetType = DIMSE_DATASET_NULL;
+  return DIMSE_sendStoreResponse(association, context, &request, &response, nullptr);
+}
+
 OFCondition skipDataSet(T_ASC_Association* association, T_DIMSE_DataSetType type) {
   if (type == DIMSE_DATASET_NULL) return EC_Normal;
   DIC_UL bytes = 0, parts = 0;

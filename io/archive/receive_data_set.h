@@ -17,6 +17,10 @@ OFCondition receiveCommand(T_ASC_Association* association, T_ASC_PresentationCon
 OFCondition receiveDataSet(T_ASC_Association* association, T_ASC_PresentationContextID context,
                            const T_DIMSE_C_StoreRQ& request, const std::string& path, bool& isWritten);
 
+/// Answers a C-STORE request with a status.
+OFCondition answerStorage(T_ASC_Association* association, T_ASC_PresentationContextID context,
+                          const T_DIMSE_C_StoreRQ& request, unsigned status);
+
 /// Receives a data set, if the command has one, and drops it.
 OFCondition skipDataSet(T_ASC_Association* association, T_DIMSE_DataSetType type);
 
