@@ -122,6 +122,12 @@ Status MultipartReader::feed(std::string_view bytes) {
   return problem_;
 }
 
+bool MultipartReader::breaks(const char* what) {
+  isBroken_ = true;
+  problem_ = Error{what};
+  return false;
+}
+
 bool MultipartReader::wants(const Status& status) {
   if (!status && problem_) problem_ = status;
   return bool(problem_);
@@ -136,8 +142,7 @@ bool MultipartReader::takePreamble() {
     state_ = State::afterBoundary;
     return true;
   }
-  if (pending_.size() > mostBytesOfHeaders) problem_ = Error{"a message without its boundary"};
-  return false;
+  return pending_.size() > mostBytesOfHeaders && breaks("a message without its boundary");
 }
 
 bool MultipartReader::takeAfterBoundary() {
@@ -147,10 +152,7 @@ bool MultipartReader::takeAfterBoundary() {
     return false;
   }
   const std::size_t end = pending_.find('\n');
-  if (end == std::string::npos) {
-    if (pending_.size() > mostBytesOfHeaders) problem_ = Error{"a broken boundary"};
-    return false;
-  }
+  if (end == std::string::npos) return pending_.size() > mostBytesOfHeaders && breaks("a broken boundary");
   pending_.erase(0, end + 1);
   state_ = State::headers;
   return true;
@@ -161,10 +163,8 @@ bool MultipartReader::takeHeaders() {
   std::size_t line = 0;
   for (;;) {
     const std::size_t end = pending_.find('\n', line);
-    if (end == std::string::npos) {
-      if (pending_.size() > mostBytesOfHeaders) problem_ = Error{"a part whose headers do not end"};
-      return false;
-    }
+    if (end == std::string::npos)
+      return pending_.size() > mostBytesOfHeaders && breaks("a part whose headers do not end");
     const bool isEmpty = end == line || (end == line + 1 && pending_[line] == '\r');
     if (!isEmpty) {
       line = end + 1;
@@ -223,13 +223,9 @@ bool MultipartReader::takeBody() {
     if (line == std::string::npos) break;
     bool isCertain = false;
     const bool isBoundary = hasBoundaryAt(line + 1, isCertain);
-    if (isBoundary && !isCertain) {
-      // What comes before is data; a carriage return may belong to the boundary.
-      give(line > 0 && pending_[line - 1] == '\r' ? line - 1 : line);
-      return false;
-    }
     if (isBoundary) {
-      if (!give(line > 0 && pending_[line - 1] == '\r' ? line - 1 : line)) return false;
+      // What comes before is data; a carriage return may belong to the boundary.
+      if (!give(line > 0 && pending_[line - 1] == '\r' ? line - 1 : line) || !isCertain) return false;
       pending_.erase(0, pending_.find("\n--") + 1 + boundary_.size());
       state_ = State::afterBoundary;
       return wants(sink_->endPart());

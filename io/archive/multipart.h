@@ -23,8 +23,10 @@ class MultipartReader {
   /// The Error: `contentType` is no multipart type, or names no boundary.
   static Result<MultipartReader> of(std::string_view contentType, PartSink& sink);
 
-  /// Takes the next bytes. The Error: the sink's, or the message is broken.
+  /// Takes the next bytes. The Error: the sink's, or what is wrong with the message, if it isBroken(): "a
+  /// broken boundary".
   Status feed(std::string_view bytes);
+  bool isBroken() const { return isBroken_; }
 
   /// Returns whether the last boundary was read. Without it, the message is cut off.
   bool isComplete() const { return state_ == State::over; }
@@ -42,6 +44,7 @@ class MultipartReader {
   bool give(std::size_t count);
   bool hasBoundaryAt(std::size_t at, bool& isCertain) const;
   bool wants(const Status& status);
+  bool breaks(const char* what);
 
   std::string boundary_;
   PartSink* sink_;
@@ -49,6 +52,7 @@ class MultipartReader {
   std::string pending_;        // not yet taken
   std::size_t bytesLeft_ = 0;  // of this part, by its Content-Length
   Status problem_;
+  bool isBroken_ = false;
 };
 
 /// Returns a parameter of a Content-Type, without its quotes; empty if there is none.

@@ -89,8 +89,11 @@ class Search {
       if (full_) break;
     }
     if (found_.empty() && !end_.early.empty()) return Error{end_.early};
+    const bool asksModality =
+        std::ranges::any_of(words_, [](const SearchWord& word) { return !word.modality.empty(); });
     for (ArchiveStudy& study : found_)
-      if (Status s = complete(study); !s) return s.error();
+      if (query_.withSeries || (asksModality && study.study.modalities.empty()))
+        if (Status s = complete(study); !s) return s.error();
     // A study whose modalities came late may lack one of the words.
     std::erase_if(found_, [&](const ArchiveStudy& s) {
       return !s.study.modalities.empty() && !hasAll(words_, s.study);
@@ -120,6 +123,21 @@ class Search {
     if (!ended) return ended.error();
     end = *ended;
     return all;
+  }
+
+  // Asks for the series of a study, and for what they tell of it.
+  Status complete(ArchiveStudy& study) {
+    SearchEnd end;
+    Result<std::vector<IndexedSeries>> series = seriesIn(study.study.studyUid, end);
+    if (!series) return series.error();
+    note(end);
+    study.series = std::move(*series);
+    std::string modalities;
+    for (const IndexedSeries& one : study.series) modalities += one.modality + " ";
+    if (study.study.modalities.empty()) study.study.modalities = listed(modalities);
+    if (study.study.series < 0 && end.early.empty()) study.study.series = int(study.series.size());
+    if (!query_.withSeries) study.series.clear();
+    return {};
   }
 
  private:
@@ -163,24 +181,6 @@ class Search {
     if (onStudy_ && judged.modalities == study.modalities) onStudy_(study);
   }
 
-  Status complete(ArchiveStudy& study) {
-    const bool asksModality =
-        std::ranges::any_of(words_, [](const SearchWord& word) { return !word.modality.empty(); });
-    const bool lacksModalities = study.study.modalities.empty() && asksModality;
-    if (!query_.withSeries && !lacksModalities) return {};
-    SearchEnd end;
-    Result<std::vector<IndexedSeries>> series = seriesIn(study.study.studyUid, end);
-    if (!series) return series.error();
-    note(end);
-    study.series = std::move(*series);
-    std::string modalities;
-    for (const IndexedSeries& one : study.series) modalities += one.modality + " ";
-    if (study.study.modalities.empty()) study.study.modalities = listed(modalities);
-    if (study.study.series < 0 && end.early.empty()) study.study.series = int(study.series.size());
-    if (!query_.withSeries) study.series.clear();
-    return {};
-  }
-
   static constexpr int mostSeries = 100000;  // of one study
 
   ArchiveProtocol& protocol_;
@@ -205,6 +205,25 @@ Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery&
                                      const OnStudy& onStudy, const CancelToken& cancel) {
   const auto protocol = protocolOf(archive, cancel);
   return Search(*protocol, archive, query, onStudy)();
+}
+
+Result<std::vector<IndexedStudy>> studiesOfArchivedPatient(const Archive& archive, const std::string& id,
+                                                           const std::string& name,
+                                                           const CancelToken& cancel) {
+  const auto protocol = protocolOf(archive, cancel);
+  const ArchiveQuery query{.words = id.empty() ? name : id};
+  const OnStudy none;
+  Search search(*protocol, archive, query, none);
+  Result<ArchiveAnswers> answers = search();
+  if (!answers) return answers.error();
+  std::vector<IndexedStudy> studies;
+  for (ArchiveStudy& one : answers->studies) {
+    if (one.study.patientId != id || one.study.patientName != name) continue;
+    if (one.study.modalities.empty())
+      if (Status s = search.complete(one); !s) return s.error();
+    studies.push_back(std::move(one.study));
+  }
+  return studies;
 }
 
 Result<std::vector<IndexedSeries>> seriesOfArchiveStudy(const Archive& archive, const std::string& studyUid,

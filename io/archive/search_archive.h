@@ -41,6 +41,12 @@ using OnStudy = std::function<void(const IndexedStudy& study)>;
 Result<ArchiveAnswers> searchArchive(const Archive& archive, const ArchiveQuery& query,
                                      const OnStudy& onStudy, const CancelToken& cancel);
 
+/// Returns the studies of a patient, who has both this ID and this name. Those whose modalities the archive
+/// does not tell are asked for their series.
+Result<std::vector<IndexedStudy>> studiesOfArchivedPatient(const Archive& archive, const std::string& id,
+                                                           const std::string& name,
+                                                           const CancelToken& cancel);
+
 /// Returns the series of one study of an archive, as far as it lists them.
 Result<std::vector<IndexedSeries>> seriesOfArchiveStudy(const Archive& archive, const std::string& studyUid,
                                                         const CancelToken& cancel);

@@ -7,13 +7,14 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "io/archive/answer_text.h"
+
 namespace volumen {
 
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::size_t mostBytesOfAnswer = 16 << 20;
 constexpr std::uintmax_t mostBytesAtOnce = 32 << 20;  // unless one instance alone is larger
 constexpr std::size_t mostAtOnce = 50;
 
@@ -58,15 +59,10 @@ class Stow {
   Status operator()() {
     for (std::size_t first = 0; first < instances_.size();) {
       const std::size_t end = endOf(first);
-      std::string text;
+      AnswerText body(exchange_);
       const auto answer = exchange_.send(
           {"/studies", "application/dicom+json", [&, this] { return partsOf(instances_, first, end); }},
-          [&, this](const WebAnswer&, std::string_view bytes) -> Status {
-            if (text.size() + bytes.size() > mostBytesOfAnswer)
-              return exchange_.says("sent an answer that is too large");
-            text += bytes;
-            return {};
-          });
+          body.onBody());
       if (!answer) return answer.error();
       // One of many may be what it cannot take.
       const bool isRefused = answer->status == 413 || answer->status == 400 || answer->status >= 500;
@@ -74,7 +70,7 @@ class Stow {
         atOnce_ = (end - first) / 2;
         continue;
       }
-      tell(*answer, text, first, end);
+      tell(*answer, body.text(), first, end);
       first = end;
     }
     return {};

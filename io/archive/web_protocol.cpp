@@ -3,19 +3,19 @@
 #include <dcmtk/dcmdata/dcdeftag.h>
 
 #include <algorithm>
-#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 
+#include "io/archive/answer_text.h"
 #include "io/archive/data_sets.h"
-#include "io/dicom/instance_uids.h"
 #include "io/archive/multipart.h"
 #include "io/archive/protocol.h"
 #include "io/archive/send_web.h"
 #include "io/archive/web_exchange.h"
 #include "io/archive/web_json.h"
+#include "io/dicom/instance_uids.h"
 #include "io/worker/call.h"
 
 namespace volumen {
@@ -23,31 +23,6 @@ namespace volumen {
 namespace {
 
 constexpr const char* jsonType = "application/dicom+json";
-constexpr std::size_t mostBytesOfPage = 32 << 20;
-constexpr std::chrono::minutes mostTimeOfPage{2};
-
-// Collects an answer as text.
-class TextBody {
- public:
-  explicit TextBody(const WebExchange& exchange) : exchange_(exchange) {}
-
-  WebExchange::OnBody onBody() {
-    return [this](const WebAnswer&, std::string_view bytes) -> Status {
-      if (text_.size() + bytes.size() > mostBytesOfPage)
-        return exchange_.says("sent an answer that is too large");
-      if (Clock::now() > end_) return exchange_.says("takes more than 2 minutes for an answer");
-      text_ += bytes;
-      return {};
-    };
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  using Clock = std::chrono::steady_clock;
-  const WebExchange& exchange_;
-  const Clock::time_point end_ = Clock::now() + mostTimeOfPage;
-  std::string text_;
-};
 
 // Writes the instances that come into a sink. Those that nobody asked for are dropped.
 class InstanceParts : public PartSink {
@@ -126,7 +101,9 @@ class WadoBody {
         if (Status s = parts_.beginPart(); !s) return s;
       }
     }
-    return isOne_ ? parts_.partData(bytes) : reader_->feed(bytes);
+    if (isOne_) return parts_.partData(bytes);
+    const Status fed = reader_->feed(bytes);
+    return reader_->isBroken() ? exchange_.says("sends " + fed.message()) : fed;
   }
 
   InstanceParts& parts_;
@@ -171,7 +148,7 @@ class WebProtocol : public ArchiveProtocol {
       : exchange_(archive, cancel), cancel_(cancel) {}
 
   Status test() override {
-    TextBody body(exchange_);
+    AnswerText body(exchange_);
     const auto answer = exchange_.send({"/studies?limit=1", jsonType, {}}, body.onBody());
     if (!answer) return answer.error();
     return isSuccess(*answer) ? Status() : refusal(*answer);
@@ -223,7 +200,7 @@ class WebProtocol : public ArchiveProtocol {
                               const std::function<bool(DcmDataset&)>& onAnswer) {
     bool hasMore = false;
     for (int offset = 0;;) {
-      TextBody body(exchange_);
+      AnswerText body(exchange_);
       const auto answer =
           exchange_.send({searchTarget(keys, int(pageSize), offset, isFuzzy), jsonType, {}}, body.onBody());
       if (!answer) return answer.error();

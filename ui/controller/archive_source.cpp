@@ -24,34 +24,6 @@ std::vector<IndexedStudy> studiesIn(ArchiveAnswers&& answers) {
   return studies;
 }
 
-// Returns "CT, PT", sorted.
-std::string modalitiesOf(const std::vector<IndexedSeries>& series) {
-  std::set<std::string> sorted;
-  for (const IndexedSeries& one : series) sorted.insert(one.modality);
-  std::string all;
-  for (const std::string& modality : sorted) all += (all.empty() ? "" : ", ") + modality;
-  return all;
-}
-
-// Archives search for words, so the patient is compared here. Those that tell no modalities of a study are
-// asked for its series.
-Result<std::vector<IndexedStudy>> archivedStudiesOf(const Archive& archive, const std::string& id,
-                                                    const std::string& name, const CancelToken& cancel) {
-  ArchiveQuery query;
-  query.words = id.empty() ? name : id;
-  Result<ArchiveAnswers> answers = searchArchive(archive, query, {}, cancel);
-  if (!answers) return answers.error();
-  std::vector<IndexedStudy> studies = studiesIn(std::move(*answers));
-  std::erase_if(studies, [&](const IndexedStudy& s) { return s.patientId != id || s.patientName != name; });
-  for (IndexedStudy& study : studies) {
-    if (!study.modalities.empty()) continue;
-    const auto series = seriesOfArchiveStudy(archive, study.studyUid, cancel);
-    if (!series) return series.error();
-    study.modalities = modalitiesOf(*series);
-  }
-  return studies;
-}
-
 }  // namespace
 
 ArchiveSource::ImagesHere ArchiveSource::imagesHere(const std::string& indexFolder) {
@@ -289,7 +261,7 @@ void ArchiveSource::studiesOf(const std::string& patientId, const std::string& p
   questions_.run(
       JobName(tr("Searching %1").arg(name())),
       [=, archive = archive_](const Job& job) {
-        return archivedStudiesOf(archive, patientId, patientName, job.cancel());
+        return studiesOfArchivedPatient(archive, patientId, patientName, job.cancel());
       },
       [this, answer](Result<std::vector<IndexedStudy>> found) {
         answer(found ? std::optional(numbered(std::move(*found))) : std::nullopt);

@@ -252,6 +252,7 @@ void TestArchiveWeb::instancesAreFetched_data() {
   QTest::newRow("cut off in the middle, the rest one by one") << "cut off" << 0;
   QTest::newRow("with others that nobody asked for") << "others" << 0;
   QTest::newRow("one is gone") << "gone" << 3;
+  QTest::newRow("one comes without its boundary") << "no boundary" << 3;
   QTest::newRow("one is no DICOM file") << "broken" << 3;
   QTest::newRow("none") << "none" << 1;
 }
@@ -276,6 +277,8 @@ void TestArchiveWeb::instancesAreFetched() {
     const int n = request.path.right(1).toInt() - 1;
     if (how == u"gone" && n == 1) return httpAnswer("404 Not Found", "text/plain", "");
     if (how == u"broken" && n == 1) return partsOf({"nothing"});
+    if (how == u"no boundary" && n == 1)
+      return httpAnswer("200 OK", "multipart/related; boundary=x", QByteArray(100000, 'a'));
     if (how == u"plain")
       return !isParts && hasSyntax ? httpAnswer("200 OK", "application/dicom", files_[n]) : refused;
     if (how == u"no syntax") return isParts && !hasSyntax ? partsOf({files_[n]}) : refused;
@@ -286,6 +289,7 @@ void TestArchiveWeb::instancesAreFetched() {
                                             QStringLiteral("1.2.1"), QStringLiteral("-o"), to});
   QVERIFY2(done.status == status, done.err);
   QVERIFY2(done.err.isEmpty() == (status == 0), done.err);
+  QVERIFY2(status == 0 || done.err.startsWith("volumen: The archive \"web\" "), done.err);
   QList<QByteArray> expected = files_;
   if (status == 3) expected.removeAt(1);
   if (status == 1) expected.clear();
