@@ -130,10 +130,15 @@ int query(const ArchiveOptions& options, const CancelToken& cancel) {
   return answers->isBroken ? exitLosses : exitDone;
 }
 
-// Removes fetched studies that are too much.
-Result<std::vector<std::string>> trim(const ArchiveOptions& options, const Archive& archive) {
-  if (!options.folder.empty()) return std::vector<std::string>();
-  return trimFetched(indexFolderOr(options.index), mostBytesFetched(archive));
+// Puts fetched files into the index; a folder of the user's stays as it is. Returns the studies that were
+// removed as too much.
+Result<std::vector<std::string>> fileFetched(const FetchRequest& request, const Archive& archive,
+                                             const std::string& indexFolder, const CancelToken& cancel) {
+  if (!request.isManaged) return std::vector<std::string>();
+  const auto imported = importIntoIndex(indexFolder, {request.folder}, terminalProgress(), cancel);
+  endTerminalProgress();
+  if (!imported) return imported.error();
+  return trimFetched(indexFolder, mostBytesFetched(archive));
 }
 
 void print(const FetchReport& report, const std::vector<std::string>& removed, const std::string& folder,
@@ -150,17 +155,9 @@ void print(const FetchReport& report, const std::vector<std::string>& removed, c
     return;
   }
   std::cout << "Fetched " << report.fetched << " of " << report.expected << " images";
-  if (report.alreadyHere > 0) std::cout << "; " << report.alreadyHere << " were here already";
+  if (const int here = report.alreadyHere; here > 0)
+    std::cout << "; " << here << (here == 1 ? " was" : " were") << " here already";
   std::cout << ": " << folder << '\n';
-}
-
-// Puts fetched files into the index; a folder of the user's stays as it is.
-Status addToIndex(const ArchiveOptions& options, const std::string& folder, const CancelToken& cancel) {
-  Result<Index> index = openIndex(options.index);
-  if (!index) return index.error();
-  const auto imported = index->import({folder}, terminalProgress(), cancel);
-  endTerminalProgress();
-  return imported ? Status() : imported.error();
 }
 
 int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
@@ -172,16 +169,14 @@ int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
   };
   const auto archive = chosen(options);
   if (!archive) return failedBecause(archive.message());
+  const std::string indexFolder = indexFolderOr(options.index);
   FetchRequest request = requestFor(options.study);
-  request.folder = options.folder;
   request.isManaged = options.folder.empty();
-  if (request.isManaged) request.folder = fetchedFolder(indexFolderOr(options.index), request.studyUid);
+  request.folder = request.isManaged ? fetchedFolder(indexFolder, request.studyUid) : options.folder;
   const auto report = fetchFromArchive(*archive, request, terminalProgress(), cancel);
   endTerminalProgress();
   if (!report) return failedBecause(report.message());
-  if (request.isManaged)
-    if (Status s = addToIndex(options, request.folder, cancel); !s) return failedBecause(s.message());
-  const auto removed = trim(options, *archive);
+  const auto removed = fileFetched(request, *archive, indexFolder, cancel);
   if (!removed) return failedBecause(removed.message());
   print(*report, *removed, request.folder, options.json);
   if (const std::size_t count = removed->size(); count > 0 && !options.json)
@@ -191,7 +186,7 @@ int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
   return report->isAll() ? exitDone : exitLosses;
 }
 
-nlohmann::ordered_json listJson(const std::vector<Refused>& files) {
+Json listJson(const std::vector<Refused>& files) {
   Json list = Json::array();
   for (const Refused& one : files) list.push_back({{"path", pathForJson(one.path)}, {"reason", one.reason}});
   return list;
@@ -205,7 +200,8 @@ void print(const SendReport& report, const ArchiveOptions& options) {
                            {"notDicom", listJson(report.notDicom)}});
   } else {
     std::cout << "Sent " << report.sent << " of " << report.instances << " instances to " << options.name;
-    if (!report.notDicom.empty()) std::cout << "; " << report.notDicom.size() << " files hold none";
+    if (const std::size_t others = report.notDicom.size(); others > 0)
+      std::cout << "; " << others << (others == 1 ? " file holds none" : " files hold none");
     std::cout << '\n';
   }
 }
@@ -218,9 +214,9 @@ void tellReasons(const SendReport& report) {
 }
 
 int send(const ArchiveOptions& options, const CancelToken& cancel) {
+  const char* const interrupted = "Interrupted; what was sent stays in the archive.";
   const auto failedBecause = [&](const std::string& sentence) {
-    return failed(options, {{"sent", 0}},
-                  cancel.cancelled() ? "Interrupted; what was sent stays in the archive." : sentence);
+    return failed(options, {{"sent", 0}}, cancel.cancelled() ? interrupted : sentence);
   };
   const auto archive = chosen(options);
   if (!archive) return failedBecause(archive.message());
@@ -238,7 +234,7 @@ int send(const ArchiveOptions& options, const CancelToken& cancel) {
                                                              ? "no files were found."
                                                              : report->notDicom.front().reason + "."));
   print(*report, options);
-  if (cancel.cancelled()) return fail("Interrupted; what was sent stays in the archive.");
+  if (cancel.cancelled()) return fail(interrupted);
   tellReasons(*report);
   return report->failed.empty() ? exitDone : report->sent > 0 ? exitLosses : exitFailed;
 }

@@ -59,8 +59,6 @@ Result<ReceiveReport> receive(const Listening& listening, const ReceiveOptions& 
                               const CancelToken& cancel) {
   const ReceiveEvents events = eventsFor(listening, options.json);
   if (!options.folder.empty()) return receiveInstances(listening, options.folder, events, cancel);
-  // Tells whether the index can be used, and makes what its database needs.
-  if (const Result<Index> index = openIndex(options.index); !index) return index.error();
   const auto onImported = [](const Result<ImportReport>& imported) {
     if (!imported) fail(imported.message());
   };

@@ -69,7 +69,7 @@ int statusOf(const ImportReport& report, const std::vector<std::string>& warning
 }
 
 int run(const ImportOptions& options, const CancelToken& cancel) {
-  Result<Index> index = openIndex(options.index);
+  Result<Index> index = Index::open(indexFolderOr(options.index));
   if (!index) return fail(index.message());
   const Result<ImportReport> report =
       options.copy

@@ -162,9 +162,7 @@ void removeFolders(const Descriptor& root, const Marks& marks, const std::string
 Status removeFromIndex(const std::string& indexFolder, const std::vector<std::string>& studies) {
   std::vector<std::string> folders;
   for (const std::string& study : studies) folders.push_back(fetchedFolder(indexFolder) + "/" + study);
-  auto index = Index::open(indexFolder);
-  if (!index) return index.error();
-  const auto imported = index->import(folders);
+  const auto imported = importIntoIndex(indexFolder, folders);
   return imported ? Status() : imported.error();
 }
 

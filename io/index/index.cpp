@@ -16,6 +16,7 @@
 #include "io/index/query.h"
 #include "io/index/schema.h"
 #include "io/open.h"
+#include "io/qt_application.h"
 #include "io/thumbnail.h"
 
 namespace volumen {
@@ -103,11 +104,18 @@ Index::Index(std::unique_ptr<Private> p) : p_(std::move(p)) {}
 Index::Index(Index&&) noexcept = default;
 Index::~Index() = default;
 
-Result<Index> Index::open(const std::string& folder) { return made(folder, openIndexDatabase(folder)); }
+Result<Index> Index::open(const std::string& folder) {
+  return made(folder, [](const std::string& at) { return openIndexDatabase(at); });
+}
 
-Result<Index> Index::openAsItIs(const std::string& folder) { return made(folder, openIndexAsItIs(folder)); }
+Result<Index> Index::openAsItIs(const std::string& folder) { return made(folder, openIndexAsItIs); }
 
-Result<Index> Index::made(const std::string& folder, Result<OpenedDatabase> opened) {
+Result<Index> Index::made(const std::string& folder,
+                          Result<OpenedDatabase> (*openDatabase)(const std::string& folder)) {
+  if (folder.empty())
+    return Error{"There is no home folder to keep the index in: set HOME or XDG_DATA_HOME."};
+  needQtApplication();
+  Result<OpenedDatabase> opened = openDatabase(folder);
   if (!opened) return opened.error();
   auto p = std::make_unique<Private>();
   p->folder = folder;
@@ -125,6 +133,13 @@ Result<ImportReport> Index::import(const std::vector<std::string>& paths, const 
   const Result<std::vector<ImportRoot>> roots = rootsOf(paths);
   if (!roots) return roots.error();
   return importBelow(*roots, progress, cancel, again);
+}
+
+Result<ImportReport> importIntoIndex(const std::string& indexFolder, const std::vector<std::string>& paths,
+                                     const Progress& progress, const CancelToken& cancel) {
+  Result<Index> index = Index::open(indexFolder);
+  if (!index) return index.error();
+  return index->import(paths, progress, cancel);
 }
 
 Result<ImportReport> Index::importBelow(const std::vector<ImportRoot>& roots, const Progress& progress,

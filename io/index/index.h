@@ -81,7 +81,8 @@ using Thumbnail = std::vector<std::uint8_t>;
 class Index {
  public:
   /// Opens the index in `folder`, creates it if there is none, and updates an older schema. A damaged or
-  /// newer one is renamed and replaced, which `notice()` reports. The Error: the folder cannot be written.
+  /// newer one is renamed and replaced, which `notice()` reports. The Error: the folder cannot be written, or
+  /// its name is empty, as that of a user without a home.
   static Result<Index> open(const std::string& folder);
   /// Opens the index in `folder` for queries, even if it cannot be written. Creates and renames nothing. The
   /// Error: there is none, it is damaged, or of a newer program.
@@ -122,11 +123,16 @@ class Index {
  private:
   struct Private;
   explicit Index(std::unique_ptr<Private> p);
-  static Result<Index> made(const std::string& folder, Result<OpenedDatabase> opened);
+  static Result<Index> made(const std::string& folder,
+                            Result<OpenedDatabase> (*openDatabase)(const std::string& folder));
   Result<ImportReport> importBelow(const std::vector<ImportRoot>& roots, const Progress& progress,
                                    const CancelToken& cancel, bool again);
   std::unique_ptr<Private> p_;
 };
+
+/// Opens an index for an import (Index::open(), import()).
+Result<ImportReport> importIntoIndex(const std::string& indexFolder, const std::vector<std::string>& paths,
+                                     const Progress& progress = {}, const CancelToken& cancel = {});
 
 /// Returns $XDG_DATA_HOME/volumen, else ~/.local/share/volumen; empty if there is no home.
 std::string userIndexFolder();

@@ -7,7 +7,6 @@
 #include "io/open.h"
 #include "io/paths/archive_path.h"
 #include "io/phantom.h"
-#include "io/qt_application.h"
 #include "io/walk.h"
 
 namespace volumen {
@@ -75,7 +74,6 @@ Result<std::vector<std::string>> filesOf(const std::string& named) {
 }
 
 Result<std::vector<std::string>> filesOfIndexPath(const std::string& path) {
-  needQtApplication();
   const Result<std::vector<std::string>> files = filesOf(path.substr(prefix.size()));
   if (!files) return Error{path + ": " + files.message()};
   return files;

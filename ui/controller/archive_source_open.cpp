@@ -11,14 +11,6 @@ namespace volumen {
 
 namespace {
 
-// The Error: the files are not in the index.
-Status addToIndex(const std::string& indexFolder, const std::string& folder) {
-  Result<Index> index = Index::open(indexFolder);
-  if (!index) return index.error();
-  const Result<ImportReport> imported = index->import({folder});
-  return imported ? Status() : imported.error();
-}
-
 int missingOf(const FetchReport& report) { return report.expected - report.fetched - report.alreadyHere; }
 
 // Returns how many images are missing, and why; empty for none.
@@ -86,7 +78,7 @@ void ArchiveSource::importInto(const std::string& folder) {
   imports_.run(
       {},
       [index = indexFolder_, folder, most = mostBytesFetched(archive_)](const Job&) -> Result<ImagesHere> {
-        if (Status added = addToIndex(index, folder); !added) return added.error();
+        if (const auto imported = importIntoIndex(index, {folder}); !imported) return imported.error();
         if (auto removed = trimFetched(index, most); !removed) return removed.error();
         return imagesHere(index);
       },

@@ -75,10 +75,7 @@ IndexService::~IndexService() {
 // Returns null and reports the reason if the index cannot be opened.
 Index* IndexService::indexOf(Worker& worker) {
   if (worker.index) return &*worker.index;
-  Result<Index> opened = folder_.empty() ? Result<Index>(Error{tr("There is no home folder for the list of "
-                                                                  "studies: set HOME or XDG_DATA_HOME.")
-                                                                   .toStdString()})
-                                         : Index::open(folder_);
+  Result<Index> opened = Index::open(folder_);
   if (!opened) {
     const QString why = QString::fromStdString(opened.message());
     worker.lane.tell([this, why] { Q_EMIT unavailable(why); });

@@ -72,7 +72,7 @@ void TestArchiveEnds::aKilledFetchGoesOnWhereItWas() {
   RunningArchive again(fetching(peer.port(), lists, to.path()));
   const Outcome done = again.outcome();
   QCOMPARE(done.status, 0);
-  QCOMPARE(done.out, "Fetched 2 of 3 images; 1 were here already: " + to.path().toUtf8() + '\n');
+  QCOMPARE(done.out, "Fetched 2 of 3 images; 1 was here already: " + to.path().toUtf8() + '\n');
   QCOMPARE(askedLast, QByteArray("1.2.1.1.2\\1.2.1.1.3"));
   QCOMPARE(dataSetsBelow(to.path()), all());
 }
@@ -111,7 +111,7 @@ void TestArchiveEnds::aWebFetchGoesOnWhereItWas() {
   if (signal == SIGINT) QCOMPARE(dataSetsBelow(to.path()), all().mid(0, 1));
   const Outcome done = RunningArchive(words).outcome();
   QVERIFY2(done.status == 0, done.err);
-  QCOMPARE(done.out, "Fetched 2 of 3 images; 1 were here already: " + to.path().toUtf8() + '\n');
+  QCOMPARE(done.out, "Fetched 2 of 3 images; 1 was here already: " + to.path().toUtf8() + '\n');
   QCOMPARE(askedLast, (QList<QByteArray>{"1.2.1.1.2", "1.2.1.1.3"}));
   QCOMPARE(dataSetsBelow(to.path()), all());
 }

@@ -73,7 +73,7 @@ void TestArchiveFetch::whatIsHereIsNotFetchedAgain() {
   QCOMPARE(told(), "Fetched 2 of 2 images: " + folder.toUtf8() + '\n');
   QCOMPARE(told(), "Fetched 0 of 2 images; 2 were here already: " + folder.toUtf8() + '\n');
   QVERIFY(QFile::remove(filesBelow(folder).first()));
-  QCOMPARE(told(), "Fetched 1 of 2 images; 1 were here already: " + folder.toUtf8() + '\n');
+  QCOMPARE(told(), "Fetched 1 of 2 images; 1 was here already: " + folder.toUtf8() + '\n');
   QCOMPARE(filesBelow(folder).size(), 2);
   const Outcome one =
       fetch({QStringLiteral("1.2.1/1.2.1.2"), QStringLiteral("-o"), folder + QStringLiteral("/one")});

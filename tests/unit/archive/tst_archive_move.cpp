@@ -64,7 +64,7 @@ void TestArchiveMove::whatIsMissingIsFetched() {
   const QString to = folder_.filePath(QStringLiteral("again"));
   QCOMPARE(fetch(ours(), to).status, 0);
   QVERIFY(QFile::remove(filesBelow(to).first()));
-  QCOMPARE(fetch(ours(), to).out, "Fetched 1 of 2 images; 1 were here already: " + to.toUtf8() + '\n');
+  QCOMPARE(fetch(ours(), to).out, "Fetched 1 of 2 images; 1 was here already: " + to.toUtf8() + '\n');
   QCOMPARE(filesBelow(to).size(), 2);
 }
 

@@ -125,7 +125,7 @@ void TestArchiveSend::instancesComeBackAsTheyWere() {
             : dimse(peer.port(), "ORTHANC");
   const Outcome sent = archive(list, {QStringLiteral("send"), QStringLiteral("to"), scans_});
   QVERIFY2(sent.status == 0, sent.err);
-  QCOMPARE(sent.out, QByteArray("Sent 7 of 7 instances to to; 1 files hold none\n"));
+  QCOMPARE(sent.out, QByteArray("Sent 7 of 7 instances to to; 1 file holds none\n"));
   for (const ArchivedStudy& study : archivedStudies) {
     const QString to =
         folder_.filePath(QStringLiteral("%1 back %2").arg(isWeb).arg(QLatin1String(study.uid)));
