@@ -83,7 +83,8 @@ void FakePeer::run() {
   server.listen(QHostAddress::LocalHost, quint16(port_));
   listening_ = true;
   while (!isInterruptionRequested())
-    if (server.waitForNewConnection(20)) answer_(*server.nextPendingConnection());
+    if (server.hasPendingConnections() || server.waitForNewConnection(20))
+      answer_(*server.nextPendingConnection());
 }
 
 }  // namespace volumen::tests

@@ -37,6 +37,7 @@ struct AskedArchive {
         &source, &Source::filesFound, &source,
         [this](const IndexedChoice&, const std::vector<std::string>& all, const OpenIntent& intent) {
           files.push_back(all);
+          hows.push_back(intent.how);
           seriesUid = intent.seriesUid;
         });
     QObject::connect(&source, &Source::notOpened, &source,
@@ -72,11 +73,13 @@ struct AskedArchive {
     const bool isAnswered = QTest::qWaitFor([&] { return series != nullptr; }, longestAnswer);
     return isAnswered ? *series : std::vector<IndexedSeries>();
   }
-  // Opens a choice and waits for its end. Returns whether its files were found.
-  bool open(const IndexedChoice& choice) {
+  // Opens a choice and waits until all of it was fetched. Returns whether its files were found.
+  bool open(const IndexedChoice& choice, OpenHow how = OpenHow::instead) {
     const std::size_t before = files.size();
-    source.open(choice, OpenHow::instead);
-    const auto hasEnded = [&] { return files.size() > before || !notOpened.isEmpty(); };
+    source.open(choice, how);
+    const auto hasEnded = [&] {
+      return jobs.rows().empty() && (files.size() > before || !notOpened.isEmpty());
+    };
     return QTest::qWaitFor(hasEnded, longestAnswer) && files.size() > before;
   }
   // Cancels the only job in the list.
@@ -93,6 +96,7 @@ struct AskedArchive {
   SeriesListPtr series;
   std::vector<std::optional<std::vector<IndexedStudy>>> patients;
   std::vector<std::vector<std::string>> files;
+  std::vector<OpenHow> hows;  // for each entry of `files`
   std::string seriesUid;
   ArchiveSource source;
 };
@@ -119,6 +123,8 @@ class TestArchiveSource : public QObject {
   void studiesOfOnePatientAreListed_data();
   void studiesOfOnePatientAreListed();
   void whatIsOpenedIsFetchedAndImported();
+  void aStudyComesSeriesBySeries_data();
+  void aStudyComesSeriesBySeries();
   void chosenSeriesComeOneByOne();
   void whatIsMissingIsTold_data();
   void whatIsMissingIsTold();
@@ -248,6 +254,32 @@ void TestArchiveSource::whatIsOpenedIsFetchedAndImported() {
   QCOMPARE(studiesInIndex(home("opened")), std::vector<std::string>{"1.2.1"});
   QCOMPARE(a.studyOf("thorax pid1"), doe);
   QCOMPARE(a.lists.back()->here, here);
+}
+
+void TestArchiveSource::aStudyComesSeriesBySeries_data() {
+  QTest::addColumn<OpenHow>("how");
+  QTest::addColumn<std::vector<std::size_t>>("files");
+  QTest::addColumn<std::vector<OpenHow>>("hows");
+  using Counts = std::vector<std::size_t>;
+  using Hows = std::vector<OpenHow>;
+  const auto row = [](const char* name, OpenHow how, const Counts& files, const Hows& hows) {
+    QTest::newRow(name) << how << files << hows;
+  };
+  row("in place of others", OpenHow::instead, {1, 2}, {OpenHow::instead, OpenHow::joining});
+  row("beside others", OpenHow::beside, {1, 2}, {OpenHow::beside, OpenHow::joining});
+  row("all at once if it is looked into", OpenHow::lookedInto, {2}, {OpenHow::lookedInto});
+}
+
+void TestArchiveSource::aStudyComesSeriesBySeries() {
+  QFETCH(OpenHow, how);
+  QFETCH(std::vector<std::size_t>, files);
+  QFETCH(std::vector<OpenHow>, hows);
+  AskedArchive a(peer_.port(), home(QTest::currentDataTag()));
+  QVERIFY(a.open({a.studyOf("thorax"), 0}, how));
+  std::vector<std::size_t> counts;
+  for (const std::vector<std::string>& all : a.files) counts.push_back(all.size());
+  QCOMPARE(counts, files);
+  QVERIFY(a.hows == hows);
 }
 
 // Those that were opened before stay among the files of the study.
