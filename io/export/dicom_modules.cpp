@@ -62,6 +62,20 @@ DicomElements studyElements(const DicomElements& ofFile) {
   return kept;
 }
 
+bool mayBePaired(const std::string& bodyPart) {
+  static const char* const paired[] = {"",    "ANKLE", "ARM",  "BREAST", "EAR",    "ELBOW", "EXTREMITY",
+                                       "EYE", "FOOT",  "HAND", "HIP",    "KIDNEY", "KNEE",  "SHOULDER",
+                                       "LEG", "THIGH", "LUNG", "FEMUR",  "TIBIA",  "WRIST"};
+  return std::ranges::find(paired, bodyPart) != std::end(paired);
+}
+
+DicomElements bodyPart(const SeriesIdentity& who) {
+  DicomElements all;
+  addIfKnown(all, 0x00180015, who.bodyPart);
+  if (mayBePaired(who.bodyPart)) all.push_back({0x00200060, who.laterality});
+  return all;
+}
+
 DicomElements contributingEquipment(std::span<const DicomElement> before) {
   constexpr std::uint32_t contributors = 0x0018a001;
   DicomElements all = {{contributors, {}}};

@@ -82,14 +82,6 @@ DicomElements modalityDefaults(const std::string& sopClass, const DicomSeriesTag
   return {{0x00080064, "WSD"}};
 }
 
-// Paired body parts need Laterality, even if empty; so does an unknown part.
-bool mayBePaired(const std::string& bodyPart) {
-  static const char* const paired[] = {"",    "ANKLE", "ARM",  "BREAST", "EAR",    "ELBOW", "EXTREMITY",
-                                       "EYE", "FOOT",  "HAND", "HIP",    "KIDNEY", "KNEE",  "SHOULDER",
-                                       "LEG", "THIGH", "LUNG", "FEMUR",  "TIBIA",  "WRIST"};
-  return std::ranges::find(paired, bodyPart) != std::end(paired);
-}
-
 // Returns the padding in stored values, if they are integers or a stored number stands for padding.
 DicomElements padding(const Volume& volume, const StoredSlice& pixels) {
   const auto& range = volume.attributes().padding;

@@ -350,7 +350,7 @@ Result<DicomSource> readDicomSource(const Series& series, const Progress& progre
     const DicomSource::Slice slice{index.at(series.files[n]), std::size_t(series.frames[n])};
     const DicomSourceFile& file = source.files[slice.file];
     if (!file.problem.empty()) return Error{series.files[n] + ": " + file.problem};
-    if (slice.frame >= file.frames.size())
+    if (slice.frame >= std::max(file.frames.size(), std::size_t(file.frameCount)))
       return Error{series.files[n] + ": it has fewer frames than it had."};
     source.slices.push_back(slice);
   }

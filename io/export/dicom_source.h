@@ -38,7 +38,7 @@ struct DicomSourceFile {
   DicomElements ofStudy;  ///< its elements of patient and study, with texts in `characterSet`
   std::string
       characterSet;  ///< that of the file, or ISO_IR 192 if the file's texts are not in the declared one
-  std::vector<DicomSourceFrame> frames;
+  std::vector<DicomSourceFrame> frames;  ///< one for each frame, or only one if all are alike
 
   bool isMultiFrame() const { return frameCount > 1; }
 };
@@ -53,7 +53,8 @@ struct DicomSource {
 
   const DicomSourceFile& file(int slice) const { return files[slices[std::size_t(slice)].file]; }
   const DicomSourceFrame& frame(int slice) const {
-    return file(slice).frames[slices[std::size_t(slice)].frame];
+    const std::vector<DicomSourceFrame>& frames = file(slice).frames;
+    return frames[frames.size() == 1 ? 0 : slices[std::size_t(slice)].frame];
   }
 };
 

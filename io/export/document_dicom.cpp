@@ -5,13 +5,12 @@
 
 #include <QDateTime>
 #include <algorithm>
-#include <charconv>
 
-#include "io/dicom/data_set.h"
 #include "io/export/dicom_file.h"
 #include "io/export/dicom_modules.h"
 #include "io/export/dicom_source.h"
 #include "io/export/dicom_uid.h"
+#include "io/export/study_object.h"
 #include "io/study/study.h"
 
 namespace volumen {
@@ -40,21 +39,6 @@ std::map<std::string, StudyInstance> knownInstances(const Study& study) {
   return all;
 }
 
-long seriesNumberFor(const Study& study, const std::string& studyUid) {
-  constexpr long largest = 0x7fffffff;
-  long last = 0;
-  const auto count = [&](const SeriesIdentity& series) {
-    const std::string& text = series.seriesNumber;
-    long number = 0;
-    std::from_chars(text.data(), text.data() + text.size(), number);
-    if (series.studyUid == studyUid) last = std::max(last, number);
-  };
-  std::ranges::for_each(study.volumes, count);
-  std::ranges::for_each(study.images, count);
-  std::ranges::for_each(study.derived, count);
-  return std::min(last + 1, largest);
-}
-
 // Sets patient and study, and what headers alone say of the pictures.
 Status addHeaders(const std::vector<std::string>& paths, DocumentSource& source, const Progress& progress,
                   const CancelToken& cancel) {
@@ -67,8 +51,6 @@ Status addHeaders(const std::vector<std::string>& paths, DocumentSource& source,
   const DicomSourceFile& first = read->files.front();
   source.study = first.ofStudy;
   source.characterSet = first.characterSet;
-  source.utf8 = first.ofStudy;
-  for (DicomElement& e : source.utf8) e.value = dicom::toUtf8(e.value, source.characterSet);
   for (const DicomSourceFile& file : read->files) {
     DocumentPicture& picture = source.pictures[file.sopInstanceUid];
     picture.sopClassUid = file.sopClassUid;
@@ -121,24 +103,6 @@ DicomElements seriesElements(const Document& document, const DocumentSource& sou
           {0x00200013, "1"}};
 }
 
-// Patient and study have to be there even where the source does not say them (types 1 and 2).
-DicomElements obligatoryOfStudy(const DocumentSource& source) {
-  SeriesIdentity nobody;
-  DicomElements all = patientModule(nobody);
-  append(all, studyModule(nobody, source.studyUid));
-  return all;
-}
-
-// Brings UTF-8 texts into a character set. Returns false if it does not hold one of them.
-bool encode(DicomElements& elements, const std::string& set) {
-  for (DicomElement& e : elements) {
-    auto text = dicom::fromUtf8(e.value, set);
-    if (!text) return false;
-    e.value = std::move(*text);
-  }
-  return true;
-}
-
 }  // namespace
 
 Result<DocumentSource> readDocumentSource(const Study& study, std::span<const std::string> sopInstanceUids,
@@ -161,7 +125,7 @@ Result<DocumentSource> readDocumentSource(const Study& study, std::span<const st
   }
   if (paths.empty()) return Error{"A document refers to one image at least."};
   if (Status s = addHeaders(paths, source, progress, cancel); !s) return s.error();
-  source.seriesNumber = seriesNumberFor(study, source.studyUid);
+  source.seriesNumber = nextSeriesNumber(study, source.studyUid);
   return source;
 }
 
@@ -201,22 +165,9 @@ Status writeDocument(const Document& document, const DocumentSource& source, con
   append(made, document.more);
   append(made, evidenceOf(document.content, source));
   append(made, elementsOf(document.content));
-  DicomElements encoded = made;
-  const bool isHeld = encode(encoded, source.characterSet);
   DcmFileFormat file;
-  DcmDataset& data = *file.getDataset();
-  put(obligatoryOfStudy(source), data);
-  put(isHeld ? source.study : source.utf8, data);
-  put(isHeld ? encoded : made, data);
-  const std::string set = isHeld ? source.characterSet : "ISO_IR 192";
-  if (!set.empty()) data.putAndInsertString(DCM_SpecificCharacterSet, set.c_str());
-  auto out = OutputFile::create(path);
-  if (!out) return out.error();
-  if (Status s = writeDicomFile(file, *out, path); !s) return s;
-  const Result<bool> isNew = out->commitAsNew(path);
-  if (!isNew) return isNew.error();
-  if (!*isNew) return Error{path + " is there already, and is not replaced: name another file."};
-  return {};
+  putInStudy(source.study, source.characterSet, source.studyUid, made, *file.getDataset());
+  return writeNewDicom(file, path, {});
 }
 
 }  // namespace volumen

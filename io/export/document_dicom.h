@@ -27,8 +27,7 @@ struct DocumentSource {
   std::string studyUid;
   DicomElements study;       ///< patient and study as elements, with texts in `characterSet`
   std::string characterSet;  ///< SpecificCharacterSet; may be empty
-  DicomElements utf8;        ///< the same elements with texts in UTF-8
-  long seriesNumber = 1;     ///< one above all of the study's
+  int seriesNumber = 1;      ///< one above all of the study's
   std::map<std::string, DocumentPicture> pictures;  ///< by SOPInstanceUID
 };
 

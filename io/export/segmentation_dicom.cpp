@@ -23,12 +23,6 @@ namespace volumen {
 
 namespace {
 
-// A segment on the displayed grid and, if known, on the acquired slices.
-struct WrittenMask {
-  BitMask drawn;
-  std::optional<BitMask> onSlices{};
-  bool isInterpolated = false;  // true if its voxels depend on resampled values
-};
 using MaskOf = std::function<WrittenMask(std::size_t segment)>;
 
 SegmentationTags dated(SegmentationTags tags) {
@@ -44,13 +38,6 @@ Status checkSource(const Series& series, const VoxelGeometry& grid) {
         series.id +
         " comes from no DICOM files, whose pictures a DICOM segmentation must name; write .seg.nrrd."};
   if (!grid.calibrated) return Error{series.id + " does not say where its slices lie; write .seg.nrrd."};
-  return {};
-}
-
-Status checkPlaces(const Series& series, const DicomSource& source) {
-  for (std::size_t n = 0; n < source.slices.size(); ++n)
-    if (!source.frame(int(n)).place)
-      return Error{series.files[n] + " does not say where it lies; write .seg.nrrd."};
   return {};
 }
 
@@ -131,15 +118,7 @@ Result<std::vector<std::string>> writeSegmentationDicom(std::span<const Segmente
       segments.push_back(segment);
       mapOf.push_back(&map);
     }
-  const auto mask = [&](std::size_t n) {
-    const int number = segments[n].number;
-    WrittenMask made{maskOf(mapOf[n]->labels, std::uint8_t(number))};
-    if (const AcquiredLabels* acquired = mapOf[n]->acquired.get()) {
-      made.onSlices = maskOf(acquired->labels, std::uint8_t(number));
-      made.isInterpolated = acquired->interpolated.contains(number);
-    }
-    return made;
-  };
+  const auto mask = [&](std::size_t n) { return writtenMask(*mapOf[n], segments[n].number); };
   const VoxelGeometry grid = maps.empty() ? series.acquired : maps.front().labels.geometry();
   return writeSegments(segments, mask, grid, series, tags, path, progress, cancel);
 }

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "io/study/series.h"
+
 namespace volumen {
 
 namespace {
@@ -21,6 +23,22 @@ bool take(BitMask& taken, const BitMask& mask) {
 }
 
 }  // namespace
+
+WrittenMask writtenMask(const Segmented& map, int number) {
+  WrittenMask made{maskOf(map.labels, std::uint8_t(number))};
+  if (const AcquiredLabels* acquired = map.acquired.get()) {
+    made.onSlices = maskOf(acquired->labels, std::uint8_t(number));
+    made.isInterpolated = acquired->interpolated.contains(number);
+  }
+  return made;
+}
+
+Status checkPlaces(const Series& series, const DicomSource& source) {
+  for (std::size_t n = 0; n < source.slices.size(); ++n)
+    if (!source.frame(int(n)).place)
+      return Error{series.files[n] + " does not say where it lies; write .seg.nrrd."};
+  return {};
+}
 
 SegmentationFrames::SegmentationFrames(const VoxelGeometry& grid, const DicomSource& source, glm::ivec2 size)
     : source_(source), size_(size), taken_(grid) {

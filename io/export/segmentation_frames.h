@@ -6,8 +6,21 @@
 #include "io/export/dicom_source.h"
 #include "viewer/segment/bit_mask.h"
 #include "viewer/segment/packed_bits.h"
+#include "viewer/segment/segmented.h"
 
 namespace volumen {
+
+/// A segment on the displayed grid and, if known, on the acquired slices.
+struct WrittenMask {
+  BitMask drawn;
+  std::optional<BitMask> onSlices{};
+  bool isInterpolated = false;  ///< true if its voxels depend on resampled values
+};
+/// Returns the segment of this number.
+WrittenMask writtenMask(const Segmented& map, int number);
+
+/// Checks that all slices have a position. The Error names the file that has none.
+Status checkPlaces(const Series& series, const DicomSource& source);
 
 /// Masks as frames of one bit a pixel on the acquired slices of a DICOM series. A pixel is set if the voxel
 /// that contains its centre is. Empty frames are left out.
