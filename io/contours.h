@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "io/study/derived_object.h"
+#include "viewer/segment/code.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
@@ -29,6 +30,7 @@ struct RegionOfInterest {
   int number = 0;
   std::string name, description, algorithm;  ///< UTF-8
   std::string type;                          ///< RT ROI Interpreted Type: "GTV", "ORGAN"; may be empty
+  Code code;                                 ///< what it is, as a code; may be empty
   std::optional<glm::u8vec3> colour;         ///< sRGB
   std::string frameOfReferenceUid;
   std::vector<Contour> contours;  ///< contours in the file's order

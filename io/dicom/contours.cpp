@@ -34,7 +34,10 @@ class ContourReader {
     out_.description = data_.utf8(0x30060006, root);
     for (const Scope item : data_.items(0x30060020, root)) readRegion(item);
     for (const Scope item : data_.items(0x30060080, root))
-      if (RegionOfInterest* region = regionOf(item)) region->type = data_.utf8(0x300600a4, item);
+      if (RegionOfInterest* region = regionOf(item)) {
+        region->type = data_.utf8(0x300600a4, item);
+        region->code = codeAt(data_, 0x30060086, item);
+      }
     for (const Scope item : data_.items(0x30060039, root)) {
       RegionOfInterest* region = regionOf(item);
       if (region)

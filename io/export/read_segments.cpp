@@ -6,6 +6,7 @@
 #include <string_view>
 #include <unordered_set>
 
+#include "io/export/contour_segments.h"
 #include "io/export/label_image.h"
 #include "io/export/label_table.h"
 #include "io/export/seg_nrrd.h"
@@ -69,10 +70,11 @@ Result<DerivedObject> objectOf(const std::string& path, const Progress& progress
   const auto study = openFiles({path}, progress, cancel);
   if (!study) return study.error();
   if (!study->refused.empty()) return Error{path + ": " + study->refused.front().reason};
-  const auto object = std::ranges::find(study->derived, DerivedKind::segmentation, &DerivedObject::kind);
-  if (object == study->derived.end())
-    return Error{path + " holds no segments: a DICOM segmentation, a .seg.nrrd or an image of labels does."};
-  return *object;
+  for (const DerivedObject& object : study->derived)
+    if (object.kind == DerivedKind::segmentation || object.kind == DerivedKind::contours) return object;
+  return Error{path +
+               " holds no segments: a DICOM segmentation, a structure set, a .seg.nrrd or an image of labels "
+               "does."};
 }
 
 Result<Segmentation> segmentationOf(const std::string& path, glm::ivec2 pictures = glm::ivec2(0)) {
@@ -85,6 +87,9 @@ Result<SegmentsFile> segmentsOfObject(const std::string& path, const Progress& p
                                       const CancelToken& cancel) {
   const auto object = objectOf(path, progress, cancel);
   if (!object) return object.error();
+  if (object->kind == DerivedKind::contours)
+    return Error{path +
+                 " holds contours, which have no grid of their own: name the series that they are of."};
   const auto segmentation = segmentationOf(path);
   if (!segmentation) return segmentation.error();
   const auto grid = gridOf(*segmentation);
@@ -105,6 +110,21 @@ Result<SegmentsFile> placedImage(const std::string& path, const VoxelGeometry& g
   return placed;
 }
 
+Result<SegmentsFile> placedContours(const std::string& path, const VoxelGeometry& grid,
+                                    const CancelToken& cancel, const AcquiredSlices& slices) {
+  if (!grid.calibrated)
+    return Error{path + ": where the series lies is not known: contours have no place in it."};
+  const auto set = loadContours(path);
+  if (!set) return set.error();
+  const Segmentation filled = filledContours(*set, grid, slices.places, cancel);
+  if (cancel.cancelled()) return Error{"Cancelled."};
+  if (filled.frames.empty())
+    return Error{path + " holds no closed contour that encloses a pixel of the series."};
+  auto placed = onGrid(filled, grid, cancel, slices);
+  if (!placed) return Error{path + ": " + placed.message()};
+  return placed;
+}
+
 std::string rowsText(glm::ivec2 size) {
   return std::to_string(size.y) + " rows and " + std::to_string(size.x) + " columns";
 }
@@ -117,6 +137,7 @@ Result<SegmentsFile> placedObject(const std::string& path, const Series& series,
   if (!areTogether(object->frameOfReferenceUid, picturesOf(*object), series.frameOfReferenceUid,
                    series.sopInstanceUids))
     return Error{path + " is of another frame of reference than the series: its places are none of it."};
+  if (object->kind == DerivedKind::contours) return placedContours(path, grid, cancel, slices);
   const glm::ivec2 pictures =
       haveOneInCommon(picturesOf(*object), series.sopInstanceUids) ? series.acquired.size : glm::ivec3(0);
   const auto segmentation = segmentationOf(path, pictures);

@@ -11,7 +11,7 @@ namespace volumen {
 struct Series;
 
 /// Reads the segments of a file onto a grid of a series (onGrid). By its contents, the file is a DICOM
-/// segmentation, a segmentation of 3D Slicer or a label image.
+/// segmentation, an RT Structure Set (contour_segments.h), a segmentation of 3D Slicer or a label image.
 /// All segments get a colour and a unique name; changed names are in the notes. With the acquired `slices`
 /// that the grid was resampled from, a DICOM segmentation also keeps its pixels on those.
 /// The Error names the file: it is of none of these kinds, damaged, without segments, or entirely outside the
@@ -21,7 +21,7 @@ Result<SegmentsFile> readSegments(const std::string& path, const Series& series,
                                   const AcquiredSlices& slices = {});
 
 /// Reads segments onto the grid of the file itself, wherever it lies; for a DICOM segmentation that is
-/// gridOf() it.
+/// gridOf() it. Structure sets have none: an Error.
 Result<SegmentsFile> readSegments(const std::string& path, const Progress& progress = {},
                                   const CancelToken& cancel = {});
 

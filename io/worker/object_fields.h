@@ -79,7 +79,8 @@ inline void fields(Wire& w, KeyObjects& k) { w(k.title, k.text, k.pictures); }
 
 inline void fields(Wire& w, Contour& c) { w(c.type, c.points, c.pictures); }
 inline void fields(Wire& w, RegionOfInterest& r) {
-  w(r.number, r.name, r.description, r.algorithm, r.type, r.colour, r.frameOfReferenceUid, r.contours);
+  w(r.number, r.name, r.description, r.algorithm, r.type, r.code, r.colour, r.frameOfReferenceUid,
+    r.contours);
 }
 inline void fields(Wire& w, StructureSet& s) { w(s.label, s.name, s.description, s.regions, s.warnings); }
 
