@@ -4,8 +4,10 @@
 #include <charconv>
 
 #include "app/measured_shapes.h"
+#include "app/segment_numbers.h"
 #include "io/export/key_objects_dicom.h"
 #include "io/export/report_dicom.h"
+#include "io/export/rtstruct.h"
 #include "io/paths/open_path.h"
 #include "results/numbers/report_of_shapes.h"
 
@@ -154,6 +156,24 @@ Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cance
   return Exported{};
 }
 
+Result<Exported> exportStructureSet(const ExportJob& job, const CancelToken& cancel) {
+  auto opened = openVolume(job.path, job.series, cancel, segmenting);
+  if (!opened) return opened.error();
+  const auto segments = segmentsOfFile(job.segments, *opened, cancel);
+  if (!segments) return segments.error();
+  if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
+  const Result<Study> study = openPath(job.path, {}, cancel);
+  if (!study) return study.error();
+  StructureSetTags tags;
+  tags.description = "Segments";
+  tags.seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
+  const auto notes = writeStructureSet(segments->maps, opened->series, tags, job.output, {}, cancel);
+  if (!notes) return notes.error();
+  Exported exported{opened->notes, opened->loaded.unread};
+  exported.notes.insert(exported.notes.end(), notes->begin(), notes->end());
+  return exported;
+}
+
 }  // namespace
 
 std::span<const ExportFormat> exportFormats() {
@@ -166,7 +186,12 @@ std::span<const ExportFormat> exportFormats() {
                                           "key images as a DICOM key object selection",
                                           &ExportJob::images,
                                           {&ExportJob::title},
-                                          exportKeyObjects}};
+                                          exportKeyObjects},
+                                         {"rtstruct",
+                                          "segments as an RT Structure Set",
+                                          &ExportJob::segments,
+                                          {&ExportJob::series},
+                                          exportStructureSet}};
   return formats;
 }
 

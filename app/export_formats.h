@@ -13,7 +13,7 @@ namespace volumen {
 /// What `volumen export --as` writes: PATH, the file, and the values of the options of formats.
 struct ExportJob {
   std::string path, output;
-  std::string series, shapes, images, title;
+  std::string series, shapes, images, title, segments;
 };
 
 /// What was written.

@@ -45,6 +45,7 @@ struct FormatOption {
 constexpr FormatOption formatOptions[] = {{"--roi", "FILE", &ExportJob::shapes},
                                           {"--images", "LIST", &ExportJob::images},
                                           {"--title", "CODE", &ExportJob::title},
+                                          {"--segments", "FILE", &ExportJob::segments},
                                           {"--series", "SERIES", &ExportJob::series}};
 
 // A second run would take the copies for sources.
@@ -176,6 +177,8 @@ std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
   app.add_option("--title", job.title,
                  "Of ko: the reason for the choice, a code of CID 7010 (default: 113000, Of Interest)")
       ->type_name("CODE");
+  app.add_option("--segments", job.segments, "Of rtstruct: a file of segments, as for `volumen measure`")
+      ->type_name("FILE");
   addSeries(app, job.series);
   app.add_flag("--deidentify", options->deidentifies,
                "Remove the patient's identity (PS3.15 E, Basic Application Level Confidentiality Profile)");
