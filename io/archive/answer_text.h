@@ -7,7 +7,7 @@
 
 namespace volumen {
 
-/// Collects the body of an answer that is a text: at most 32 MB, which come within 2 minutes.
+/// Collects the body of an answer as text. The body may have 32 MB and take 2 minutes.
 class AnswerText {
  public:
   explicit AnswerText(const WebExchange& exchange) : exchange_(exchange) {}
@@ -21,7 +21,7 @@ class AnswerText {
       return {};
     };
   }
-  /// Returns what has come.
+  /// Returns the text received so far.
   const std::string& text() const { return text_; }
 
  private:

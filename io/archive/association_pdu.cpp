@@ -21,7 +21,8 @@ constexpr std::size_t mostOfUid = 64;
 
 std::size_t twoBytes(PduBytes bytes, std::size_t at) { return std::size_t(bytes[at]) << 8 | bytes[at + 1]; }
 
-// Calls `isGood(type, value)` for each item of a list. Returns whether all are, and fill it.
+// Calls `isGood(type, value)` for each item of a list. Returns whether all items are good and fill the list
+// exactly.
 bool allItems(PduBytes list, const std::function<bool(std::uint8_t, PduBytes)>& isGood) {
   constexpr std::size_t head = 4;
   while (!list.empty()) {
@@ -33,7 +34,7 @@ bool allItems(PduBytes list, const std::function<bool(std::uint8_t, PduBytes)>& 
   return true;
 }
 
-// Returns whether a value begins with a length of two bytes at `at`, and as many bytes, and `more`.
+// Returns whether a value holds at `at` a length of two bytes, then that many bytes, then `more` bytes.
 bool holdsText(PduBytes value, std::size_t at, std::size_t more) {
   return value.size() >= at + 2 && value.size() - at - 2 >= twoBytes(value, at) + more;
 }
@@ -46,7 +47,8 @@ bool isBlank(PduBytes title) {
 }
 
 // Returns whether the identity of a user (PS3.7 D.3.3.7), or the answer to it, has its fields and no more.
-// DCMTK knows a second field of user names alone, and takes that of others for further items.
+// DCMTK reads the second field of user identities only if they are names; it takes other second fields for
+// further items.
 bool isIdentity(PduBytes value, bool isAnswer) {
   constexpr std::size_t primary = 2, userName = 2;
   if (isAnswer) return holdsText(value, 0, 0) && value.size() == 2 + twoBytes(value, 0);

@@ -47,7 +47,8 @@ struct Association::Private {
     request.DataSetType = DIMSE_DATASET_PRESENT;
     request.Priority = DIMSE_PRIORITY_MEDIUM;
   }
-  /// Notes the contexts that the archive has accepted.
+  /// Fills `contexts` with the presentation contexts that the archive accepted. DCMTK then sees Explicit VR
+  /// Little Endian in place of transfer syntaxes that it does not know, as it would refuse commands in them.
   void noteContexts();
 
   const Archive archive;

@@ -12,8 +12,8 @@ namespace volumen {
 
 /// Returns the keys of a question (C-FIND, C-GET) at a level, "SERIES", in UTF-8. An empty UID is not a key.
 DcmDataset keysAt(const char* level, const std::string& studyUid = "");
-/// Returns the keys of questions for instances of a series, a hundred in each; for all of it if none is
-/// named.
+/// Returns the keys of queries for these instances of a series, a hundred instances a query. Without
+/// instances, one query asks for the whole series.
 std::vector<DcmDataset> keysForInstances(const std::string& studyUid, const std::string& seriesUid,
                                          const std::vector<std::string>& sopInstanceUids);
 void putKey(DcmDataset& keys, const DcmTagKey& tag, const std::string& value);

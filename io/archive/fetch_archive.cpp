@@ -2,8 +2,6 @@
 
 #include <dcmtk/config/osconfig.h>
 
-#include <QByteArray>
-#include <QCryptographicHash>
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -13,6 +11,7 @@
 #include "io/archive/fetched_studies.h"
 #include "io/archive/instance_folder.h"
 #include "io/archive/protocol.h"
+#include "io/files/name_for_uid.h"
 #include "io/files/private_folder.h"
 
 namespace volumen {
@@ -206,12 +205,6 @@ class Fetch {
 };
 
 }  // namespace
-
-std::string nameForUid(const std::string& uid) {
-  const QByteArray hash =
-      QCryptographicHash::hash(QByteArray::fromStdString(uid), QCryptographicHash::Sha256);
-  return hash.toHex().left(32).toStdString();
-}
 
 FetchRequest requestFor(const std::string& named) {
   const std::size_t slash = named.find('/');

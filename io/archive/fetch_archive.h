@@ -33,16 +33,13 @@ struct FetchReport {
   std::vector<std::string> problems;  ///< why some are missing, sentences
 };
 
-/// A series of which images are in the folder, when no more of it come.
+/// A series with all of its images that the archive sent.
 struct FetchedSeries {
   std::string uid;
   FetchReport report;                ///< of this series alone
   std::set<std::string> modalities;  ///< of all series that are fetched
 };
 using OnSeries = std::function<void(const FetchedSeries& series)>;
-
-/// Returns a file name for a UID of an archive, which may hold anything: 32 hexadecimal digits.
-std::string nameForUid(const std::string& uid);
 
 /// Returns the folder for what archives send, beside the index in `indexFolder`, or that of one study in it.
 std::string fetchedFolder(const std::string& indexFolder);

@@ -16,6 +16,7 @@
 #include <optional>
 
 #include "io/archive/fetch_archive.h"
+#include "io/files/name_for_uid.h"
 #include "io/files/private_folder.h"
 #include "io/index/index.h"
 #include "io/worker/channel.h"
@@ -34,7 +35,7 @@ Descriptor openFolder(int in, const std::string& name) {
   return Descriptor(::openat(in, name.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC));
 }
 
-// The marks of a folder. Who looks at them or changes them does so alone.
+// The marks of fetched studies in a folder. While one program holds this object, others wait for it.
 class Marks {
  public:
   // Returns nothing if there are none.
@@ -69,7 +70,7 @@ class Marks {
   Descriptor folder_;
 };
 
-// nameForUid() gives such names.
+// Returns whether a name has the form of nameForUid().
 bool isNameForUid(std::string_view name) {
   return name.size() == 32 && name.find_first_not_of("0123456789abcdef") == std::string_view::npos;
 }
@@ -87,7 +88,8 @@ std::vector<std::string> namesIn(const Descriptor& folder) {
   return names;
 }
 
-// Holds the folder of a study until the program ends: who removes a study locks its folder alone.
+// Locks the folder of a study until the program ends. Removing a study needs an exclusive lock, so no program
+// removes it meanwhile.
 void hold(const std::string& studyFolder) {
   constexpr std::size_t most = 256;
   static std::mutex mutex;

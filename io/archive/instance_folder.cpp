@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "io/archive/fetch_archive.h"
+#include "io/files/name_for_uid.h"
 
 namespace volumen {
 

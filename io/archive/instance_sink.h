@@ -22,7 +22,8 @@ class InstanceSink {
   virtual void drop() = 0;
 };
 
-/// Returns that a file of begin() could not be written. It names the folder: the file is gone.
+/// Returns the Error for a file of begin() that could not be written. It names the folder, as the file is
+/// gone.
 inline Error cannotWriteInto(const std::string& path) {
   return {"Images cannot be written to " + path.substr(0, path.find_last_of('/')) + ": is the disk full?"};
 }

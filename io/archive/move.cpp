@@ -84,7 +84,8 @@ class MoveReception {
   std::future<Result<ReceiveReport>> running_;
 };
 
-// Returns whether what has our port receives DICOM. If it does not say so soon, nobody would take what comes.
+// Returns whether another program that holds our port receives DICOM: it must answer a C-ECHO soon. If it
+// does not, nobody would take the images that the archive sends.
 bool isReceiver(const Listening& listening) {
   constexpr std::chrono::seconds patience{3};
   Archive here;

@@ -11,7 +11,8 @@ namespace volumen {
 namespace {
 
 constexpr std::uint8_t requestType = 1, acceptanceType = 2, dataType = 4;
-// Type, reserved byte and length, and of data, the length of the first value. No PDU is shorter.
+// These bytes hold the type, a reserved byte and the length of a PDU and, if it is data, the length of its
+// first value. No PDU is shorter.
 constexpr std::size_t pduHead = 6, valueHead = 4, lengthPlace = 2;
 
 }  // namespace
@@ -33,8 +34,8 @@ ssize_t PduReader::read(void* to, size_t count) {
   return some;
 }
 
-// Receives the begin of a PDU, or all of one that negotiates an association. Returns false if DCMTK must not
-// read it.
+// Receives the first bytes of a PDU, or the whole PDU if it negotiates an association. Returns false if DCMTK
+// must not read it.
 bool PduReader::takeHead() {
   ready_.clear();
   given_ = 0;
@@ -65,7 +66,7 @@ bool PduReader::takeValue() {
   return true;
 }
 
-// Appends so many received bytes to those that are ready. Returns false if fewer come.
+// Receives `count` bytes and appends them to those that are ready. Returns false if fewer come.
 bool PduReader::take(std::size_t count) {
   constexpr std::size_t most = 1 << 16;  // the peer may claim any length
   for (const std::size_t end = ready_.size() + count; ready_.size() < end;) {

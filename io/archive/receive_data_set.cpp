@@ -46,7 +46,7 @@ OFCondition receiveCommand(T_ASC_Association* association, T_ASC_PresentationCon
   DcmDataset* detail = nullptr;
   const OFCondition done = DIMSE_receiveCommand(association, DIMSE_BLOCKING, 0, &context, &message, &detail);
   delete detail;
-  // DCMTK leaves this list to its callers; here nobody answers N-GET.
+  // DCMTK expects its callers to free this list. We never answer N-GET, so it is freed here.
   if (done.good() && message.CommandField == DIMSE_N_GET_RQ) {
     std::free(message.msg.NGetRQ.AttributeIdentifierList);
     message.msg.NGetRQ.AttributeIdentifierList = nullptr;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "io/archive/fetch_archive.h"
+#include "io/files/name_for_uid.h"
 #include "io/files/private_folder.h"
 
 namespace volumen {

@@ -10,7 +10,7 @@ namespace volumen {
 
 /// Receives as receiveInstances() does, into the folder of fetched studies beside an index, and adds each
 /// study to the index 2 s after its last instance, and at the end; first those that a program which was
-/// killed has left (importArrived()). `onImported` gets what each import came to, on this thread. The Error
+/// killed has left (importArrived()). `onImported` gets the report of each import, on this thread. The Error
 /// also: the index cannot be used.
 Result<ReceiveReport> receiveIntoIndex(const Listening& listening, const std::string& indexFolder,
                                        const ReceiveEvents& events,

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "io/archive/fetch_archive.h"
 #include "io/archive/fetched_studies.h"
 #include "io/dicom/scan.h"
+#include "io/files/name_for_uid.h"
 #include "io/files/private_folder.h"
 #include "io/regular_file.h"
 #include "io/worker/call.h"

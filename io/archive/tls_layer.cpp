@@ -25,7 +25,7 @@ Result<std::unique_ptr<DcmTLSTransportLayer>> tlsLayer(const TlsSettings& tls, T
     if (Status s = useCertificate(tls, *layer); !s) return s.error();
   if (!tls.ca.empty() && layer->addTrustedCertificateFile(tls.ca.c_str(), DCF_Filetype_PEM).bad())
     return Error{tls.ca + " holds no certificate that can be read."};
-  // The pin says more than authorities do.
+  // A pin names the one certificate that is accepted, so authorities need not be asked.
   layer->setCertificateVerification(tls.ca.empty() ? DCV_ignoreCertificate : DCV_requireCertificate);
   return layer;
 }

@@ -5,8 +5,9 @@
 
 #include "io/deidentify/rewrite_data_set.h"
 #include "io/dicom/data_set.h"
+#include "io/dicom/fragments.h"
 #include "io/dicom/scanned_file.h"
-#include "io/files/output_file.h"
+#include "io/export/dicom_file.h"
 #include "io/regular_file.h"
 #include "io/worker/batches.h"
 
@@ -27,19 +28,10 @@ using dicom::DataSet;
 using dicom::Encoding;
 using dicom::ScannedFile;
 
+constexpr const char* inflatedSyntax = "1.2.840.10008.1.2.1";
 // Identify the program that wrote a file (PS3.10 7.1).
 constexpr const char* implementationClassUid = "2.25.201107755137305124765928151552104590321";
 constexpr const char* implementationVersionName = "VOLUMEN";
-
-// Returns the transfer syntax of the bytes as they are, inflated; empty if there is none.
-std::string writtenSyntax(const dicom::TransferSyntax& syntax) {
-  const Encoding expected = dicom::transferSyntax(syntax.uid).encoding, found = syntax.encoding;
-  const bool isAsNamed = found.explicitVr == expected.explicitVr && found.bigEndian == expected.bigEndian;
-  if (isAsNamed && !syntax.deflated) return syntax.uid;
-  if (syntax.coding != dicom::Coding::native) return "";
-  if (found.bigEndian) return found.explicitVr ? "1.2.840.10008.1.2.2" : "";
-  return found.explicitVr ? "1.2.840.10008.1.2.1" : "1.2.840.10008.1.2";
-}
 
 // Returns why a class cannot be cleaned; empty if it can.
 std::string problemOfClass(const std::string& sopClass) {
@@ -73,25 +65,6 @@ void notePixels(const DataSet& data, const Retained& retained, DeidentifiedFile&
       file.modality == "PT" && !(retained.patient && (retained.dates || retained.shiftDays != 0));
 }
 
-// Returns the end of fragments in the file, after the delimiter (PS3.5 A.4). The Error: it ends before.
-Result<std::uint64_t> endOfFragments(const RegularFile& file, std::uint64_t at) {
-  constexpr std::uint64_t header = 8;
-  while (at + header <= file.size()) {
-    const auto bytes = file.read(at, header);
-    if (!bytes) return bytes.error();
-    const auto half = [&](std::uint64_t n) {
-      return std::uint32_t(dicom::numberAt<std::uint16_t>(*bytes, n, false));
-    };
-    const std::uint32_t tag = half(0) << 16 | half(2);
-    const auto length = dicom::numberAt<std::uint32_t>(*bytes, 4, false);
-    at += header;
-    if (tag == dicom::sequenceEndTag) return at;
-    if (tag != dicom::itemTag || length > file.size() - at) break;
-    at += length;
-  }
-  return Error{"its pixels are cut off"};
-}
-
 // Adds the pixels as they are.
 Status addPixels(const ScannedFile& s, const RegularFile& file, Encoding encoding, FileParts& parts) {
   if (!s.dataSet.pixels) return {};
@@ -104,7 +77,7 @@ Status addPixels(const ScannedFile& s, const RegularFile& file, Encoding encodin
     return {};
   }
   if (s.inflatedFrom) return Error{"its pixels are compressed twice"};
-  const auto end = endOfFragments(file, e.offset);
+  const auto end = dicom::endOfFragments(file, e);
   if (!end) return end.error();
   parts.addHeader(encoding, e.tag, vr, std::uint32_t(dicom::undefinedLength));
   parts.copy(e.offset, *end - e.offset);
@@ -145,8 +118,9 @@ Result<DeidentifiedFile> deidentifiedHere(const std::string& path, const Retaine
   out.studyUid = uid(0x0020000d), out.seriesUid = uid(0x0020000e), out.instanceUid = uid(0x00080018);
   if (out.studyUid.empty() || out.seriesUid.empty() || out.instanceUid.empty())
     return Error{"it lacks the UID of its study, series or instance"};
-  out.transferSyntax = writtenSyntax(s.syntax);
-  if (out.transferSyntax.empty()) return Error{"its elements are not encoded as its transfer syntax says"};
+  const auto syntax = s.syntaxOfBytes();
+  if (!syntax) return syntax.error();
+  out.transferSyntax = s.syntax.deflated ? inflatedSyntax : *syntax;
   notePixels(data, retained, out);
   if (Status done = rewrite(s, *file, retained, pseudonyms, out); !done) return done.error();
   return out;
@@ -220,11 +194,11 @@ bool isWrittenAt(const DeidentifiedFile& file, const std::string& source, const 
 }
 
 Status writeDeidentified(const DeidentifiedFile& file, const std::string& source, const std::string& to) {
-  auto out = OutputFile::create(to);
+  auto out = createNew(to);
   if (!out) return out.error();
   if (Status s = forEachPart(file, source, [&](std::string_view bytes) { return out->write(bytes); }); !s)
     return s;
-  return out->commit();
+  return commitNew(*out, to);
 }
 
 }  // namespace volumen

@@ -10,7 +10,7 @@
 
 namespace volumen {
 
-/// Error of deidentifiedFile() for files of other kinds.
+/// The Error of deidentifiedFile() for a file that is not DICOM.
 inline constexpr const char* noDicomFile = "it is no DICOM file";
 
 /// A DICOM file without identity: what to write, and what the pixels may still show.
@@ -32,7 +32,8 @@ Result<DeidentifiedFile> deidentifiedFile(const std::string& path, const Retaine
 /// Returns whether a file holds exactly what writeDeidentified() would write.
 bool isWrittenAt(const DeidentifiedFile& file, const std::string& source, const std::string& path);
 
-/// Writes it to `to`, with the parts that it takes from `source`.
+/// Writes the de-identified copy of `source` to the new file `to`. The Error: `to` exists or cannot be
+/// written, or `source` cannot be read.
 Status writeDeidentified(const DeidentifiedFile& file, const std::string& source, const std::string& to);
 
 }  // namespace volumen

@@ -5,9 +5,9 @@
 #include <mutex>
 #include <set>
 
-#include "io/archive/fetch_archive.h"
 #include "io/deidentify/deidentify_file.h"
 #include "io/dicom/parallel.h"
+#include "io/files/name_for_uid.h"
 #include "io/files/private_folder.h"
 
 namespace volumen {

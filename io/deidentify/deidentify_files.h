@@ -30,8 +30,8 @@ struct DeidentifyReport {
 };
 
 /// Writes de-identified copies of DICOM files to `folder`, as STUDY/SERIES/INSTANCE.dcm with names of our
-/// own. Files that are there are never replaced. The Error: nothing can be written there, or the work was
-/// cancelled; files that are whole stay.
+/// own. Files that are there are never replaced. The Error: the folder cannot be
+/// written, or the user cancelled. Files that were complete by then stay.
 Result<DeidentifyReport> deidentifyFiles(const std::vector<std::string>& files, const std::string& folder,
                                          const Deidentification& how, const Progress& progress,
                                          const CancelToken& cancel);

@@ -8,8 +8,8 @@
 
 namespace volumen {
 
-/// The names and identifiers of a data set's patient, and of persons and places named in it, as far as their
-/// own attributes do not stay: texts that must not stand in another attribute.
+/// The names and identifiers of the patient, of other persons and of places in a data set, unless the profile
+/// keeps their attribute. No other attribute may contain them.
 class IdentifyingTexts {
  public:
   IdentifyingTexts(const dicom::DataSet& data, const ConfidentialityProfile& profile);

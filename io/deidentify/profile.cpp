@@ -27,7 +27,7 @@ enum Column {
   columns
 };
 
-// Attributes that classes need whose rows say that they are removed.
+// Attributes that some classes need although their rows say that they are removed.
 constexpr std::uint32_t needed[] = {0x00700082, 0x00700083};  // of presentation states (PS3.3 C.11.10)
 
 std::vector<std::string_view> splitAt(char separator, std::string_view text) {
@@ -40,7 +40,8 @@ std::vector<std::string_view> splitAt(char separator, std::string_view text) {
   return parts;
 }
 
-// Returns one action of several, such as "X/Z/D". Classic images do without the attribute.
+// Returns one action where the table names several, such as "X/Z/D". A classic image loses the attribute if
+// that is one of them.
 ProfileAction oneOf(std::string_view actions, bool isClassic) {
   const auto has = [&](char action) { return actions.find(action) != std::string_view::npos; };
   if (has('U')) return ProfileAction::newUid;
@@ -68,7 +69,7 @@ ConfidentialityProfile::Row ConfidentialityProfile::rowFrom(std::string_view lin
   if (cells[vrColumn].size() == 2) row.vr = dicom::vrOf(cells[vrColumn][0], cells[vrColumn][1]);
   if (std::ranges::find(needed, row.tag) != std::end(needed)) row.classic = row.other = ProfileAction::dummy;
   const bool isSequence = row.vr == dicom::vrOf('S', 'Q');
-  // No class needs a list of references that is empty.
+  // No class allows an empty list of references.
   if (isSequence && cells[basic] == "X/Z" && cells[uids] == "K") row.other = ProfileAction::remove;
   const std::pair<bool, Column> options[] = {{retained.uids, uids},
                                              {retained.device, device},

@@ -6,7 +6,8 @@
 
 namespace volumen {
 
-/// What the Basic Application Level Confidentiality Profile would remove and is kept (PS3.15 E.3).
+/// The options of the Basic Application Level Confidentiality Profile (PS3.15 E.3): what it keeps although it
+/// would remove it otherwise.
 struct Retained {
   bool uids = false;
   bool dates = false;        ///< as they are
@@ -19,7 +20,8 @@ struct Retained {
   bool operator==(const Retained&) const = default;
 };
 
-/// What happens to an attribute. `shift` moves dates and keeps times of day; `clean` keeps known words.
+/// What the profile does with an attribute. `shift` moves dates and keeps times of day; `clean` keeps known
+/// words of a text.
 enum class ProfileAction { keep, remove, empty, dummy, newUid, shift, clean };
 
 /// The actions of the profile (PS3.15 table E.1-1, edition 2026c) with what is retained.
@@ -27,10 +29,11 @@ class ConfidentialityProfile {
  public:
   explicit ConfidentialityProfile(const Retained& retained);
 
-  /// What happens to a standard attribute; those that the table does not list are kept. `isClassic`: in an
-  /// image whose class needs no dates of series and acquisition, where the table leaves a choice.
+  /// Returns what happens to a standard attribute; an attribute that the table does not list is kept. Where
+  /// the table leaves a choice, `isClassic` decides: it is true for images whose class needs no dates of
+  /// series and acquisition (isClassicImage()).
   ProfileAction actionOf(std::uint32_t tag, bool isClassic) const;
-  /// Returns the VR of an attribute of the table as in Element::vr, 0 if it lists none.
+  /// Returns the VR of an attribute as Element::vr has it; 0 if the table does not list the attribute.
   std::uint16_t vrOf(std::uint32_t tag) const;
 
  private:

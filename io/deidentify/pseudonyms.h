@@ -23,11 +23,11 @@ class Pseudonyms {
   std::string key_;
 };
 
-/// Returns the user's key, in a file of the settings that only the user may read; it is made at first. The
-/// Error: it can be neither read nor made.
+/// Returns the user's secret key. Its file is among the settings and readable by the user alone; the first
+/// call makes it. The Error: the file can be neither read nor made.
 Result<std::string> userPseudonymKey();
 
-/// Returns the key in a file: its bytes, at least 16.
+/// Returns the bytes of a key file. The Error: it cannot be read or has fewer than 16 bytes.
 Result<std::string> pseudonymKeyIn(const std::string& path);
 
 }  // namespace volumen

@@ -122,7 +122,7 @@ class Rewrite {
     if (known == 0 && listed == 0) return;
     const std::uint16_t vr = e.vr && e.vr != unknownVr ? e.vr : listed ? listed : known;
     const ProfileAction action = profile_.actionOf(e.tag, isClassic_ && place.isRoot);
-    // What describes an overlay is of no use without its pixels.
+    // The pixels of overlays are removed, and their other attributes are invalid without them.
     const bool isOverlay = e.tag >> 24 == 0x60;
     if (action == ProfileAction::remove || isOverlay) return;
     const bool isSequence = e.end > n + 1 || vr == sequenceVr || e.length == dicom::undefinedLength;
@@ -152,7 +152,7 @@ class Rewrite {
     parts_.addHeader(inside, dicom::sequenceEndTag, 0, 0);
   }
 
-  // Codes of persons may be numbers of theirs.
+  // The code of a person may be a number that identifies them.
   void addDummyCode(std::uint32_t tag, std::uint16_t vr, Encoding encoding) {
     const Encoding inside = vr == unknownVr ? Encoding{false, false} : encoding;
     constexpr auto undefined = std::uint32_t(dicom::undefinedLength);
@@ -212,7 +212,8 @@ class Rewrite {
         }));
   }
 
-  // Names and numbers of patients and studies keep them apart.
+  // Returns a pseudonym for the name or ID of the patient, or for the ID of the study, so that lists still
+  // tell patients and studies apart; empty for other attributes.
   std::string pseudonymOf(std::uint32_t tag) const {
     const auto text = [&](std::uint32_t of) { return data_.utf8(of, data_.root()); };
     if (tag == studyId) return pseudonyms_.name(text(studyUid));

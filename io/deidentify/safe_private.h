@@ -7,9 +7,9 @@
 
 namespace volumen {
 
-/// Returns the numbers of the private elements of a scope that are known to hold no identity (PS3.15 table
-/// E.3.10-1, those of b values, SUV and rescaling), by creator and element, with the elements that reserve
-/// their blocks.
+/// Returns which private elements of a scope are known to hold no identity: their numbers in DataSet, with
+/// those of the elements that reserve their blocks. The list is the part of PS3.15 table E.3.10-1 on CT, MR
+/// and PET.
 std::set<std::uint32_t> safePrivateElements(const dicom::DataSet& data, dicom::DataSet::Scope scope);
 
 }  // namespace volumen

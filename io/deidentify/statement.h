@@ -8,7 +8,7 @@
 
 namespace volumen {
 
-/// Edition of the table of attributes that is compiled in.
+/// The edition of the table of attributes that the program contains.
 inline constexpr const char* profileEdition = "PS3.15 E.1-1 2026c";
 
 /// A code with its meaning, of scheme DCM.
@@ -16,7 +16,7 @@ struct MethodCode {
   const char *value, *meaning;
 };
 
-/// An element that says what was done; a sequence of codes if there are any.
+/// An element that states how a data set was de-identified: a text, or a sequence of codes if it has any.
 struct StatementElement {
   std::uint32_t tag;
   std::uint16_t vr;

@@ -73,6 +73,23 @@ Status ScannedFile::correctSyntax(const RegularFile& file) {
   return {};
 }
 
+Result<std::string> ScannedFile::syntaxOfBytes() const {
+  const TransferSyntax named = transferSyntax(meta.transferSyntaxUid);
+  const Encoding found = syntax.encoding;
+  const bool isNative = !*named.uid || (named.coding == Coding::native && !named.deflated);
+  if (!isNative) {
+    if (named.deflated ||
+        (named.encoding.explicitVr == found.explicitVr && named.encoding.bigEndian == found.bigEndian))
+      return std::string(named.uid);
+    return Error{"it is not encoded as its transfer syntax says"};
+  }
+  if (dataSet.pixels && dataSet.pixels->length == undefinedLength)
+    return Error{"its pixels are compressed, but its transfer syntax says that they are not"};
+  if (!found.explicitVr && found.bigEndian) return Error{"it is encoded in no transfer syntax"};
+  if (!found.explicitVr) return std::string("1.2.840.10008.1.2");
+  return std::string(found.bigEndian ? "1.2.840.10008.1.2.2" : "1.2.840.10008.1.2.1");
+}
+
 Status ScannedFile::scanInflated(const RegularFile& file) {
   if (Status read = file.readUpTo(head, file.size()); !read) return read;
   auto inflated = inflateAll(Bytes(head).subspan(meta.dataSet));

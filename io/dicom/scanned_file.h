@@ -27,6 +27,9 @@ struct ScannedFile {
   /// Scans the data set. If fragments of pixels are in another transfer syntax than the file names, `syntax`
   /// becomes theirs.
   Status scan(const RegularFile& file);
+  /// Returns the transfer syntax of the data set's bytes after scan(). An uncompressed one is told by the
+  /// bytes themselves. The Error: they are not encoded as the file says.
+  Result<std::string> syntaxOfBytes() const;
 
  private:
   Status scanInflated(const RegularFile& file);

@@ -4,7 +4,6 @@
 #include <dcmtk/dcmdata/dcdatset.h>
 #include <dcmtk/dcmdata/dcistrmb.h>
 #include <dcmtk/dcmdata/dcostrmb.h>
-#include <dcmtk/dcmdata/dcuid.h>
 #include <dcmtk/dcmdata/dcwcache.h>
 #include <dcmtk/dcmdata/dcxfer.h>
 
@@ -28,25 +27,6 @@ namespace {
 // An uncompressed value has a length of 32 bits.
 constexpr std::uint64_t mostNativeBytes = std::uint64_t(4) << 30;
 constexpr std::uint64_t mostTail = 64 << 20;
-
-// Returns the transfer syntax of a data set's bytes.
-Result<std::string> syntaxOfBytes(const ScannedFile& s) {
-  const TransferSyntax named = transferSyntax(s.meta.transferSyntaxUid);
-  const Encoding found = s.syntax.encoding;
-  const bool isNative = !*named.uid || (named.coding == Coding::native && !named.deflated);
-  if (!isNative) {
-    if (named.deflated ||
-        (named.encoding.explicitVr == found.explicitVr && named.encoding.bigEndian == found.bigEndian))
-      return std::string(named.uid);
-    return Error{"it is not encoded as its transfer syntax says"};
-  }
-  if (s.dataSet.pixels && s.dataSet.pixels->length == undefinedLength)
-    return Error{"its pixels are compressed, but its transfer syntax says that they are not"};
-  if (!found.explicitVr && found.bigEndian) return Error{"it is encoded in no transfer syntax"};
-  if (!found.explicitVr) return std::string(UID_LittleEndianImplicitTransferSyntax);
-  return std::string(found.bigEndian ? UID_BigEndianExplicitTransferSyntax
-                                     : UID_LittleEndianExplicitTransferSyntax);
-}
 
 // Returns where the elements end that are no DataSetTrailingPadding.
 std::uint64_t endWithoutPadding(const DataSetScan& scan) {
@@ -93,7 +73,7 @@ Result<StoredDataSet> storedDataSetHere(const std::string& path) {
   ScannedFile s;
   if (Status read = s.readMeta(*file); !read) return read.error();
   if (Status scanned = s.scan(*file); !scanned) return scanned.error();
-  const auto syntax = syntaxOfBytes(s);
+  const auto syntax = s.syntaxOfBytes();
   if (!syntax) return syntax.error();
   Result<std::uint64_t> end = file->size();
   if (!s.syntax.deflated) end = s.dataSet.pixels ? endBehindPixels(*file, s) : endWithoutPadding(s.dataSet);

@@ -14,7 +14,7 @@ namespace {
 using Points = std::vector<glm::dvec3>;
 using Type = ReportShape::Type;
 
-// Codes of FIELD-export; OHIF's adapters compare the meanings to the letter.
+// Codes of measurements (PS3.16 CID 7470 and others). OHIF compares their meanings to the letter.
 const Code lengthCode{"410668003", "SCT", "Length"}, angleCode{"1483009", "SCT", "Angle"},
     areaCode{"42798000", "SCT", "Area"}, volumeCode{"118565006", "SCT", "Volume"},
     longAxisCode{"103339001", "SCT", "Long Axis"}, shortAxisCode{"103340004", "SCT", "Short Axis"},

@@ -31,7 +31,7 @@ class AllSources : public StudySource {
   ListFiles filesOf(const IndexedChoice& choice) const override;
 
  private:
-  // Another source, with its answer to the last request.
+  // One of the other sources, with its answer to the last request.
   struct Part {
     StudySource* source;
     std::int64_t number;  // of the source among all that there ever were

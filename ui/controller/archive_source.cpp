@@ -12,7 +12,7 @@ namespace {
 
 constexpr int lookEveryMs = 100, longestMs = 1000;
 
-// Tells how far the search of an archive is.
+// Returns a sentence on how many studies a search has found so far.
 QString soFarText(const QString& archive, std::size_t studies) {
   if (studies == 1) return ArchiveSource::tr("Searching %1: 1 study so far.").arg(archive);
   return ArchiveSource::tr("Searching %1: %2 studies so far.").arg(archive, countText(int(studies)));

@@ -93,7 +93,7 @@ void ArchiveSource::importInto(const std::string& folder) {
       });
 }
 
-// Runs on the thread of a lane.
+// This function runs on a background thread: that of `fetches_` or `seriesFetches_`.
 Result<ArchiveSource::Fetched> ArchiveSource::fetch(const Opening& opening, const Job& job) {
   if (indexFolder_.empty())
     return Error{tr("There is no home folder for fetched studies: set HOME or XDG_DATA_HOME.").toStdString()};

@@ -31,8 +31,8 @@ class Loader : public QObject {
   Loader(Session& session, Jobs& jobs, MakeScene makeScene, QObject* parent = nullptr);
 
   void open(const QString& path, const OpenIntent& intent = {});
-  /// Opens the files of an intent, which are not one path; ends in filesOpened() with `name`. Of those of one
-  /// name that join the list, only the last requested are read.
+  /// Opens the list of files in an intent. Ends in filesOpened() with `name`. If several intents with the
+  /// same name only join the list (OpenHow::joining), only the last one is read.
   void openFiles(const QString& name, const OpenIntent& intent);
   void openSession(const QString& path);
   /// Searches a folder for the missing objects of a workspace.

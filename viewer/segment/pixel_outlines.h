@@ -10,8 +10,8 @@ namespace volumen {
 /// Returns outlines along the edges of the set pixels (1; others 0) of a picture, first row on top: one for
 /// each part whose pixels share edges. Pixel (x, y) has the corners (x, y) and (x + 1, y + 1). Holes are
 /// joined to their part by a channel of no width (keyhole). Filled by even-odd or non-zero winding, the
-/// outlines enclose exactly the set pixels. Only points where an outline turns are returned, none of them
-/// twice in a row.
+/// outlines enclose exactly the set pixels. An outline has a point wherever it turns; two
+/// neighbouring points are never equal.
 std::vector<std::vector<glm::ivec2>> pixelOutlines(std::span<const std::uint8_t> pixels, glm::ivec2 size);
 
 /// Closed outlines in pixels, where integers are centres.

@@ -73,7 +73,7 @@ QByteArray implicitElement(quint16 group, quint16 element, QByteArray value);
 /// Returns one of a command (group 0000).
 QByteArray commandElement(quint16 element, const QByteArray& value);
 QByteArray commandElement(quint16 element, quint16 value);
-/// Returns a command: its elements behind their length (PS3.7 6.3.1).
+/// Returns the bytes of a DIMSE command: the length of the group, then its elements (PS3.7 6.3.1).
 QByteArray commandOf(const QByteArray& elements);
 /// Returns a short one in a PDU.
 QByteArray commandPdu(int context, const QByteArray& elements);
@@ -93,7 +93,7 @@ QByteArray joined(const QByteArray& pdus);
 QByteArray nestedSequences(int levels);
 /// Returns a command of 25,000 sequences within each other: 400 kB, in fragments.
 QByteArray deepCommand();
-/// Returns what says that 4 GiB of data follow, and some of them.
+/// Returns the begin of a PDU whose length field claims 4 GiB, with a few bytes of its data.
 QByteArray endlessPdu();
 
 /// Returns what follows the file meta information (PS3.10 7.1) in the bytes of a file.

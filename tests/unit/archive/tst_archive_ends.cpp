@@ -7,6 +7,7 @@
 #include <atomic>
 
 #include "io/archive/fetch_archive.h"
+#include "io/files/name_for_uid.h"
 #include "tests/unit/archive/archived_studies.h"
 #include "tests/unit/archive/fake_scp.h"
 #include "tests/unit/archive/running_archive.h"

@@ -9,6 +9,7 @@
 #include "io/archive/fetch_archive.h"
 #include "io/archive/instance_folder.h"
 #include "io/archive/received_files.h"
+#include "io/files/name_for_uid.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/archive/archived_studies.h"
 #include "tests/unit/suite.h"

@@ -73,7 +73,8 @@ struct AskedArchive {
     const bool isAnswered = QTest::qWaitFor([&] { return series != nullptr; }, longestAnswer);
     return isAnswered ? *series : std::vector<IndexedSeries>();
   }
-  // Opens a choice and waits until all of it was fetched. Returns whether its files were found.
+  // Opens a study or series and waits until the archive has sent it. Returns whether the source found its
+  // files.
   bool open(const IndexedChoice& choice, OpenHow how = OpenHow::instead) {
     const std::size_t before = files.size();
     source.open(choice, how);

@@ -8,6 +8,7 @@
 
 #include "io/archive/fetch_archive.h"
 #include "io/archive/fetched_studies.h"
+#include "io/files/name_for_uid.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/archive/archived_studies.h"
 #include "tests/unit/archive/peer_process.h"
