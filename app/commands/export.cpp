@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
-#include "app/export_formats.h"
+#include "app/exports/export_formats.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/usage.h"
@@ -35,18 +35,6 @@ constexpr Kept keepable[] = {{"uids", &Retained::uids},       {"dates", &Retaine
                              {"device", &Retained::device},   {"institution", &Retained::institution},
                              {"patient", &Retained::patient}, {"descriptors", &Retained::descriptors},
                              {"private", &Retained::privates}};
-
-// The options of formats as a user types them.
-struct FormatOption {
-  const char *name, *value;
-  ExportFormat::Value member;
-};
-
-constexpr FormatOption formatOptions[] = {{"--roi", "FILE", &ExportJob::shapes},
-                                          {"--images", "LIST", &ExportJob::images},
-                                          {"--title", "CODE", &ExportJob::title},
-                                          {"--segments", "FILE", &ExportJob::segments},
-                                          {"--series", "SERIES", &ExportJob::series}};
 
 // A second run would take the copies for sources.
 bool isWithin(const std::string& folder, const std::string& source) {
@@ -99,13 +87,6 @@ void print(const DeidentifyReport& report, const ExportOptions& options) {
 
 int writeFormat(const ExportFormat& format, const ExportOptions& options, const CancelToken& cancel) {
   const ExportJob& job = options.job;
-  for (const FormatOption& option : formatOptions) {
-    const bool isGiven = !(job.*option.member).empty(), isNeeded = option.member == format.needs;
-    if (isNeeded && !isGiven)
-      return failUsage("--as " + options.format + " needs " + option.name + " " + option.value + ".");
-    if (isGiven && !isNeeded && std::ranges::find(format.takes, option.member) == format.takes.end())
-      return failUsage(std::string(option.name) + " does not go with --as " + options.format + ".");
-  }
   if (!options.kept.empty() || options.retained.shiftDays != 0 || !options.keyFile.empty())
     return failUsage("--keep, --shift-dates and --key go with --deidentify.");
   const Result<Exported> done = format.write(job, cancel);
@@ -120,8 +101,6 @@ int writeFormat(const ExportFormat& format, const ExportOptions& options, const 
 
 int deidentify(const ExportOptions& options, const CancelToken& cancel) {
   const ExportJob& job = options.job;
-  for (const FormatOption& option : formatOptions)
-    if (!(job.*option.member).empty()) return failUsage(std::string(option.name) + " goes with --as.");
   if (isWithin(job.output, job.path))
     return failUsage(job.output + " lies within " + job.path + ": name another folder.");
   Deidentification how{options.retained, {}};
@@ -143,12 +122,14 @@ int deidentify(const ExportOptions& options, const CancelToken& cancel) {
   return done == 0 ? exitFailed : report->leftOut.empty() ? exitDone : exitLosses;
 }
 
-int run(const ExportOptions& options, const CancelToken& cancel) {
+int run(const CLI::App& app, const ExportOptions& options, const CancelToken& cancel) {
   if (options.format.empty() != options.deidentifies)
     return failUsage("Say what leaves: either --as FORMAT or --deidentify.");
-  if (options.deidentifies) return deidentify(options, cancel);
-  return writeFormat(*std::ranges::find(exportFormats(), options.format, &ExportFormat::name), options,
-                     cancel);
+  const auto formats = exportFormats();
+  const auto format = std::ranges::find(formats, options.format, &ExportFormat::name);
+  const bool isKnown = format != formats.end();
+  if (Status s = checkFormatOptions(app, isKnown ? &*format : nullptr); !s) return failUsage(s.message());
+  return isKnown ? writeFormat(*format, options, cancel) : deidentify(options, cancel);
 }
 
 }  // namespace
@@ -168,18 +149,7 @@ std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
     texts += (texts.empty() ? "" : "; ") + std::string(format.name) + ": " + format.text;
   }
   oneOf(app.add_option("--as", options->format, "Write one file of this format. " + texts), formats);
-  app.add_option("--roi", job.shapes, "Of sr: the shapes to measure, as for `volumen measure`")
-      ->type_name("FILE");
-  app.add_option("--images", job.images,
-                 "Of ko: the key images by SOPInstanceUID, separated by commas, each with the number of a "
-                 "frame (from 1) if it has several")
-      ->type_name("UID[/FRAME],...");
-  app.add_option("--title", job.title,
-                 "Of ko: the reason for the choice, a code of CID 7010 (default: 113000, Of Interest)")
-      ->type_name("CODE");
-  app.add_option("--segments", job.segments, "Of rtstruct: a file of segments, as for `volumen measure`")
-      ->type_name("FILE");
-  addSeries(app, job.series);
+  addFormatOptions(app, job);
   app.add_flag("--deidentify", options->deidentifies,
                "Remove the patient's identity (PS3.15 E, Basic Application Level Confidentiality Profile)");
   std::vector<std::string> names;
@@ -202,7 +172,7 @@ std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
   app.add_flag("--json", options->json, "Write one JSON object to stdout");
   addExamples(app, {"volumen export scans/ --as sr --roi shapes.json -o report.dcm",
                     "volumen export scans/ --deidentify -o teaching/"});
-  return [options, &cancel] { return run(*options, cancel); };
+  return [&app, options, &cancel] { return run(app, *options, cancel); };
 }
 
 }  // namespace volumen

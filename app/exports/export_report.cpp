@@ -1,13 +1,7 @@
-#include "app/export_formats.h"
-
-#include <algorithm>
-#include <charconv>
+#include "app/exports/exports.h"
 
 #include "app/measured_shapes.h"
-#include "app/segment_numbers.h"
-#include "io/export/key_objects_dicom.h"
 #include "io/export/report_dicom.h"
-#include "io/export/rtstruct.h"
 #include "io/paths/open_path.h"
 #include "results/numbers/report_of_shapes.h"
 
@@ -90,6 +84,8 @@ class ShapesToReport {
   bool isTiled_ = false;
 };
 
+}  // namespace
+
 Result<Exported> exportReport(const ExportJob& job, const CancelToken& cancel) {
   const auto shapes = readShapes(job.shapes);
   if (!shapes) return shapes.error();
@@ -110,89 +106,6 @@ Result<Exported> exportReport(const ExportJob& job, const CancelToken& cancel) {
   if (!notes) return notes.error();
   made.exported.notes.insert(made.exported.notes.end(), notes->begin(), notes->end());
   return made.exported;
-}
-
-// Adds an image of the list, "UID" or "UID/FRAME". One that is named without frame stands for all frames.
-Status addImage(const std::string& word, std::vector<ReferencedPicture>& all) {
-  const std::size_t slash = word.find('/');
-  const std::string uid = word.substr(0, slash);
-  auto known = std::ranges::find(all, uid, &ReferencedPicture::sopInstanceUid);
-  const bool isNew = known == all.end();
-  if (isNew) known = all.insert(all.end(), {uid, {}, {}, {}});
-  if (slash == std::string::npos) return known->frames.clear(), Status();
-  int frame = 0;
-  const auto [end, error] = std::from_chars(word.data() + slash + 1, word.data() + word.size(), frame);
-  if (error != std::errc() || end != word.data() + word.size() || frame < 1)
-    return Error{"--images: \"" + word + "\" is not UID or UID/FRAME, with frames from 1."};
-  if (!isNew && known->frames.empty()) return {};
-  known->frames.push_back(frame - 1);
-  std::ranges::sort(known->frames);
-  known->frames.erase(std::ranges::unique(known->frames).begin(), known->frames.end());
-  return {};
-}
-
-Result<std::vector<ReferencedPicture>> imagesIn(const std::string& list) {
-  std::vector<ReferencedPicture> all;
-  for (std::size_t begin = 0; begin <= list.size();) {
-    const std::size_t end = std::min(list.find(',', begin), list.size());
-    if (Status s = addImage(list.substr(begin, end - begin), all); !s) return s.error();
-    begin = end + 1;
-  }
-  return all;
-}
-
-Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cancel) {
-  const auto title = keyObjectTitle(job.title);
-  if (!title) return title.error();
-  const auto images = imagesIn(job.images);
-  if (!images) return images.error();
-  const Result<Study> study = openPath(job.path, {}, cancel);
-  if (!study) return study.error();
-  std::vector<std::string> uids;
-  for (const ReferencedPicture& picture : *images) uids.push_back(picture.sopInstanceUid);
-  const auto source = readDocumentSource(*study, uids, {}, cancel);
-  if (!source) return source.error();
-  if (Status s = writeKeyObjects({*title, {}, *images}, *source, job.output); !s) return s.error();
-  return Exported{};
-}
-
-Result<Exported> exportStructureSet(const ExportJob& job, const CancelToken& cancel) {
-  auto opened = openVolume(job.path, job.series, cancel, segmenting);
-  if (!opened) return opened.error();
-  const auto segments = segmentsOfFile(job.segments, *opened, cancel);
-  if (!segments) return segments.error();
-  if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
-  const Result<Study> study = openPath(job.path, {}, cancel);
-  if (!study) return study.error();
-  StructureSetTags tags;
-  tags.description = "Segments";
-  tags.seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
-  const auto notes = writeStructureSet(segments->maps, opened->series, tags, job.output, {}, cancel);
-  if (!notes) return notes.error();
-  Exported exported{opened->notes, opened->loaded.unread};
-  exported.notes.insert(exported.notes.end(), notes->begin(), notes->end());
-  return exported;
-}
-
-}  // namespace
-
-std::span<const ExportFormat> exportFormats() {
-  static const ExportFormat formats[] = {{"sr",
-                                          "measurements as a DICOM structured report (TID 1500)",
-                                          &ExportJob::shapes,
-                                          {&ExportJob::series},
-                                          exportReport},
-                                         {"ko",
-                                          "key images as a DICOM key object selection",
-                                          &ExportJob::images,
-                                          {&ExportJob::title},
-                                          exportKeyObjects},
-                                         {"rtstruct",
-                                          "segments as an RT Structure Set",
-                                          &ExportJob::segments,
-                                          {&ExportJob::series},
-                                          exportStructureSet}};
-  return formats;
 }
 
 }  // namespace volumen

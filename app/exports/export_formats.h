@@ -1,0 +1,30 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <span>
+#include <vector>
+
+#include "app/exports/exports.h"
+
+namespace volumen {
+
+/// A format of `volumen export --as`.
+struct ExportFormat {
+  const char* name;                ///< "sr"
+  const char* text;                ///< what it is: "measurements as a DICOM structured report"
+  std::vector<const char*> needs;  ///< options that it cannot do without
+  std::vector<const char*> takes;  ///< other options
+  Result<Exported> (*write)(const ExportJob& job, const CancelToken& cancel);
+};
+
+/// Returns all formats.
+std::span<const ExportFormat> exportFormats();
+
+/// Adds the options of all formats.
+void addFormatOptions(CLI::App& app, ExportJob& job);
+
+/// Checks that the options of formats in the command line fit a format; null stands for none. The Error
+/// (wrong usage) names an option.
+Status checkFormatOptions(const CLI::App& app, const ExportFormat* format);
+
+}  // namespace volumen

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/open_volume.h"
+#include "viewer/slice/slice.h"
+#include "viewer/volume/result.h"
+#include "viewer/volume/volume.h"
+
+namespace volumen {
+
+/// The options that place a plane in a volume (slices.md), as typed.
+struct PlaneOptions {
+  std::string plane = "axial", centre, right, down, size, slabMode = "max", interpolation = "linear";
+  std::optional<double> at, mmPerPixel;
+  std::optional<int> index;
+  double slabMm = 0;
+  bool average = false;
+};
+
+/// The parsed options, before the volume is known.
+struct AskedPlane {
+  std::optional<glm::dvec3> centre;
+  std::optional<std::pair<glm::dvec3, glm::dvec3>> rightAndDown;  ///< orthogonal unit vectors
+  std::optional<glm::ivec2> size;
+};
+
+/// The word of --plane for an image as acquired.
+inline constexpr const char* framePlane = "frame";
+
+/// Adds --plane, --at, --index, --centre, --right, --down, --mm-per-pixel, --slab, --slab-mode,
+/// --interpolation and --average. `takesFrame`: --plane may be framePlane.
+void addPlaneOptions(CLI::App& app, PlaneOptions& options, bool takesFrame);
+
+/// Parses the options. The Error (wrong usage) names the option.
+Result<AskedPlane> readPlane(const PlaneOptions& options);
+/// Returns the plane in a volume. The Error: it does not meet the volume, or has no slice of this index.
+Result<SlicePlane> makePlane(const PlaneOptions& options, const AskedPlane& asked,
+                             const VoxelGeometry& geometry);
+/// Adds a note that --index counts the slices of the displayed volume, where these are not the acquired ones.
+void noteEvenSlices(const PlaneOptions& options, Opened& opened);
+/// Parses --window, centre and width; empty for an empty text. The Error (wrong usage) is a sentence.
+Result<std::optional<Window>> windowOf(const std::string& text);
+
+/// Returns a plane as `slice --print-plane` writes it.
+nlohmann::ordered_json planeJson(const SlicePlane& plane);
+
+}  // namespace volumen
