@@ -25,14 +25,17 @@ Status checkPictureName(const std::string& path) {
   return Error{path + ": pictures are written as .png (8 bits) or .nrrd (floats)."};
 }
 
-Status writePictureWithWarnings(QImage image, PictureText text, const std::vector<Warning>& warnings,
-                                bool warningLine, const std::string& path) {
+void addWarnings(QImage& image, PictureText& text, const std::vector<Warning>& warnings, bool warningLine) {
   const PictureText warned = warningText(warnings);
   text.insert(text.end(), warned.begin(), warned.end());
-  if (!warned.empty() && warningLine) {
-    prepareFonts();
-    annotate(image, warningOverlays(warnings));
-  }
+  if (warned.empty() || !warningLine) return;
+  prepareFonts();
+  annotate(image, warningOverlays(warnings));
+}
+
+Status writePictureWithWarnings(QImage image, PictureText text, const std::vector<Warning>& warnings,
+                                bool warningLine, const std::string& path) {
+  addWarnings(image, text, warnings, warningLine);
   return writeImage(image, path, text);
 }
 

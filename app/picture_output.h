@@ -19,8 +19,10 @@ bool isFloatPicture(const std::string& path);
 /// The Error (wrong usage): the name ends neither in .png nor in .nrrd.
 Status checkPictureName(const std::string& path);
 
-/// Writes a picture as PNG. Warnings that change what is visible are in its text, and in its corner if
-/// `warningLine`.
+/// Adds warnings that change what is visible to a picture's text, and to its corner if `warningLine`.
+void addWarnings(QImage& image, PictureText& text, const std::vector<Warning>& warnings, bool warningLine);
+
+/// Writes a picture as PNG. with addWarnings().
 Status writePictureWithWarnings(QImage image, PictureText text, const std::vector<Warning>& warnings,
                                 bool warningLine, const std::string& path);
 

@@ -173,4 +173,10 @@ void addPlaneOptions(CLI::App& app, PlaneOptions& o, bool takesFrame) {
   app.add_flag("--average", o.average, "Average over pixels that are larger than voxels");
 }
 
+void addWindow(CLI::App& app, std::string& window) {
+  app.add_option("--window", window,
+                 "Centre and width of the values from black to white (default: the file's, else nearly all)")
+      ->type_name("C,W");
+}
+
 }  // namespace volumen

@@ -45,6 +45,8 @@ Result<SlicePlane> makePlane(const PlaneOptions& options, const AskedPlane& aske
                              const VoxelGeometry& geometry);
 /// Adds a note that --index counts the slices of the displayed volume, where these are not the acquired ones.
 void noteEvenSlices(const PlaneOptions& options, Opened& opened);
+/// Adds --window.
+void addWindow(CLI::App& app, std::string& window);
 /// Parses --window, centre and width; empty for an empty text. The Error (wrong usage) is a sentence.
 Result<std::optional<Window>> windowOf(const std::string& text);
 

@@ -116,11 +116,14 @@ Result<Scene> makeScene(const SceneOptions& options, const std::optional<Scene>&
   return scene;
 }
 
+CLI::Option* addQuality(CLI::App& app, MethodOptions& o) {
+  return oneOf(app.add_option("--quality", o.quality,
+                              "Quality level, each of a promised accuracy (default: standard)"),
+               keys(qualities));
+}
+
 void addMethodOptions(CLI::App& app, MethodOptions& o) {
-  CLI::Option* quality =
-      oneOf(app.add_option("--quality", o.quality,
-                           "Quality level, each of a promised accuracy (default: standard)"),
-            keys(qualities));
+  CLI::Option* quality = addQuality(app, o);
   CLI::Option* step = number(
       app.add_option("--step", o.step, "Plain steps of this many voxels instead of a level"), 1. / 1024, 64);
   step->type_name("VOXELS")->excludes(quality);

@@ -33,6 +33,8 @@ struct MethodOptions {
   bool reference = false, full = false;
 };
 
+/// Adds --quality.
+CLI::Option* addQuality(CLI::App& app, MethodOptions& options);
 /// Adds --quality, --step, --reference, --method, --resampler, --blending, --precision, --shader, --map-size,
 /// --map-lookup, --tolerance, --stop-at, --opacity-threshold, --curve-table, --gradient, --threads and
 /// --full.

@@ -4,6 +4,7 @@
 #include <new>
 #include <nlohmann/json.hpp>
 
+#include "app/plane_options.h"
 #include "viewer/slice/first_window.h"
 
 namespace volumen {
@@ -42,6 +43,13 @@ Result<SlicePicture> slicePicture(const Opened& opened, const SlicePlane& plane,
   auto image = greyImage(volume, plane, grey, cancel);
   if (!image) return image.error();
   return SlicePicture{*std::move(image), windowText(grey)};
+}
+
+PictureText sliceText(const SlicePlane& plane, const SlicePicture& picture) {
+  return {{"Software", "volumen " VOLUMEN_VERSION},
+          {"Comment", "Not for clinical use"},
+          {"volumen-plane", planeJson(plane).dump()},
+          {"volumen-window", picture.window}};
 }
 
 }  // namespace volumen

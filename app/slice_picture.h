@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/open_volume.h"
+#include "io/files/picture_file.h"
 #include "viewer/slice/slice.h"
 
 namespace volumen {
@@ -19,5 +20,8 @@ struct SlicePicture {
 /// has too many pixels, or the command was cancelled.
 Result<SlicePicture> slicePicture(const Opened& opened, const SlicePlane& plane,
                                   const std::optional<Window>& window, const CancelToken& cancel);
+
+/// Returns the text entries of its PNG.
+PictureText sliceText(const SlicePlane& plane, const SlicePicture& picture);
 
 }  // namespace volumen

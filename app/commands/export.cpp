@@ -122,14 +122,18 @@ int deidentify(const ExportOptions& options, const CancelToken& cancel) {
   return done == 0 ? exitFailed : report->leftOut.empty() ? exitDone : exitLosses;
 }
 
-int run(const CLI::App& app, const ExportOptions& options, const CancelToken& cancel) {
+int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) {
   if (options.format.empty() != options.deidentifies)
     return failUsage("Say what leaves: either --as FORMAT or --deidentify.");
   const auto formats = exportFormats();
   const auto format = std::ranges::find(formats, options.format, &ExportFormat::name);
   const bool isKnown = format != formats.end();
   if (Status s = checkFormatOptions(app, isKnown ? &*format : nullptr); !s) return failUsage(s.message());
-  return isKnown ? writeFormat(*format, options, cancel) : deidentify(options, cancel);
+  if (!isKnown) return deidentify(options, cancel);
+  if (Status s = settlePlane(app, options.job); !s) return failUsage(s.message());
+  if (format->check)
+    if (Status s = format->check(options.job); !s) return failUsage(s.message());
+  return writeFormat(*format, options, cancel);
 }
 
 }  // namespace

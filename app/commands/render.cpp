@@ -6,26 +6,14 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
-#include "app/open_volume.h"
 #include "app/picture_output.h"
-#include "app/render_options.h"
-#include "app/session_view.h"
+#include "app/scene_to_draw.h"
 #include "app/usage.h"
 #include "io/files/output_file.h"
-#include "io/files/session_file.h"
-#include "results/pictures/reduced_copy.h"
-#include "results/segments/segment_picture_text.h"
-#include "results/segments/segment_surfaces.h"
-#include "results/segments/segments.h"
-#include "results/segments/tissue.h"
-#include "viewer/acceleration/stored_voxels.h"
-#include "viewer/plan/default_window.h"
-#include "viewer/plan/facts.h"
 #include "viewer/plan/picture_text.h"
 #include "viewer/render/effect_costs.h"
 #include "viewer/render/render.h"
 #include "viewer/scene/scene_json.h"
-#include "viewer/segment/mask.h"
 #include "viewer/volume/clock.h"
 
 namespace volumen {
@@ -33,11 +21,10 @@ namespace volumen {
 namespace {
 
 struct RenderArguments {
-  std::string path, series, output, statsFile, errorMap;
-  SceneOptions scene;
-  MethodOptions method;
+  DrawnOptions drawn;
+  std::string output, statsFile, errorMap;
   int frames = 1, turntable = 0;
-  bool noWarningLine = false, explain = false, printScene = false, removeTable = false;
+  bool noWarningLine = false, explain = false, printScene = false;
 };
 
 // Times that the command measures itself.
@@ -45,13 +32,6 @@ struct Times {
   double loadMs = 0, planMs = 0, gradientsMs = 0, totalMs = 0;
   std::vector<double> framesMs;
 };
-
-// Returns the text entries of the image's PNG.
-PictureText textOf(const Rendered& done, const SegmentsInPicture& segments) {
-  PictureText text = pictureText(done.plan, {.estimated = estimateOf(done.plan, done.error)});
-  std::ranges::move(textOfSegments(segments, done.plan.segments), std::back_inserter(text));
-  return text;
-}
 
 nlohmann::ordered_json pictureJson(const PictureText& text) {
   nlohmann::ordered_json out;
@@ -71,8 +51,7 @@ nlohmann::ordered_json errorJson(const Rendered& done) {
   return out;
 }
 
-nlohmann::ordered_json statsJson(const Rendered& done, const SegmentsInPicture& segments, const Times& t,
-                                 const Volume& volume) {
+nlohmann::ordered_json statsJson(const Rendered& done, const SceneToDraw& drawn, const Times& t) {
   const Plan& plan = done.plan;
   const RenderStats& s = done.stats;
   nlohmann::ordered_json out{{"stagesMs",
@@ -92,7 +71,7 @@ nlohmann::ordered_json statsJson(const Rendered& done, const SegmentsInPicture& 
                                {"composited", s.composited},
                                {"redoneRays", s.redone}}},
                              {"bytes",
-                              {{"volume", volume.bytes()},
+                              {{"volume", drawn.volume().bytes()},
                                {"density", s.densityBytes},
                                {"gradients", s.gradientBytes},
                                {"blocks", s.blockBytes},
@@ -104,7 +83,10 @@ nlohmann::ordered_json statsJson(const Rendered& done, const SegmentsInPicture& 
                              {"error", errorJson(done)}};
   if (done.error.empty()) out["errorUnknown"] = whyNoEstimate(plan);
   out["plan"] = nlohmann::ordered_json::parse(explainJson(plan, effectCosts(plan, s)));
-  out["picture"] = pictureJson(textOf(done, segments));
+  out["picture"] = pictureJson(drawn.textOf(done));
+  out["reducedBy"] = drawn.reducedBy();
+  out["warnings"] = sentences(drawn.warnings);
+  out["unread"] = unreadJson(drawn.unread);
   return out;
 }
 
@@ -122,13 +104,6 @@ std::string numbered(const std::string& path, int n) {
   return path.substr(0, dot) + number + path.substr(dot);
 }
 
-// One scene is drawn, so gradients of its visible bricks are enough.
-std::shared_ptr<StoredVoxels> sparing(const VolumePtr& volume) {
-  auto voxels = std::make_shared<StoredVoxels>(volume);
-  voxels->spareGradients(true);
-  return voxels;
-}
-
 class Run {
  public:
   Run(const RenderArguments& options, const CancelToken& cancel) : options_(options), cancel_(cancel) {}
@@ -136,49 +111,23 @@ class Run {
   int operator()() {
     const double begin = wallMs();
     if (const int wrong = checkUsage()) return wrong;
-    auto asked = renderOptions(options_.scene, options_.method);
-    if (!asked) return failUsage(asked.message());
-    asked->withError = !options_.errorMap.empty();
-    std::optional<SessionView> session;
-    if (isSessionFile(options_.path)) {
-      auto read = readSessionView(options_.path, cancel_);
-      if (!read) return fail(read.message(), cancel_);
-      if (leavesLevelOpen(options_.method) && read->quality) asked->quality = *read->quality;
-      session = std::move(*read);
-    }
-    const auto file = session ? Result(std::optional(session->scene)) : readScene(options_.scene);
-    if (!file) return fail(file.message());
-    if (Status s = checkPlan(options_.scene, *file, *asked); !s) return failUsage(s.message());
+    const DrawnOptions& how = options_.drawn;
+    auto render = renderOptions(how.scene, how.method);
+    if (!render) return failUsage(render.message());
+    render->withError = !options_.errorMap.empty();
+    const auto asked = readAskedScene(how, *render, cancel_);
+    if (!asked) return fail(asked.message(), cancel_);
+    if (Status s = checkPlan(how.scene, asked->scene, asked->options); !s) return failUsage(s.message());
     if (Status s = checkOutputs(); !s) return fail(s.message());
-    auto opened =
-        session ? openSeries(session->series, cancel_) : openVolume(options_.path, options_.series, cancel_);
-    if (!opened) return fail(opened.message(), cancel_);
-    printNotes(opened->notes);
-    const Mask mask = session ? session->mask : Mask{options_.removeTable, {}};
-    std::vector<SegmentInScene> segments;
-    if (session) segments = segmentsOf(*session, *opened->loaded.drawn);
-    VolumePtr whole = opened->loaded.drawn;
-    if (!mask.empty())
-      if (Status taken = takeAway(mask, *opened, cancel_); !taken) return stopped(taken.message());
-    volume_ = opened->loaded.drawn;
-    const bool isApart = session && showsTissueApart(*session);
-    if (isApart)
-      if (Status left = leaveTissue(*session); !left) return stopped(left.message());
-    warnings_ = opened->loaded.warnings;
-    unread_ = opened->loaded.unread;
+    auto drawn = SceneToDraw::load(how, *asked, cancel_);
+    if (!drawn) return fail(drawn.message(), cancel_);
     times_.loadMs = wallMs() - begin;
-    auto scene = makeScene(options_.scene, *file, *volume_);
-    if (!scene) return fail(scene.message());
-    if (isApart) scene = asWhole(*std::move(scene), *whole);
-    for (const SegmentInScene& one : segments) scene->segments.push_back(surfaceOf(*one.segment, one.field));
-    said_ = segmentsInPicture(segments, isApart ? session->segments.front().tissue : TissueShown{});
-    std::optional<RenderCaches> caches(sparing(volume_));
-    const int exit = opened->status();
-    whole.reset(), opened = Error{};
-    if (Status fits = fitToMemory(*scene, *asked, caches); !fits) return fail(fits.message());
-    const int status = draw(*scene, *asked, *caches);
+    const Status fits = drawn->fitToMemory(how.path, asked->options);
+    printNotes(drawn->notes);
+    if (!fits) return fail(fits.message());
+    const int status = draw(*drawn, asked->options);
     times_.totalMs = wallMs() - begin;
-    return status == exitDone ? finish(exit) : status;
+    return status == exitDone ? finish(*drawn) : status;
   }
 
  private:
@@ -186,67 +135,12 @@ class Run {
     const bool quiet = options_.explain || options_.printScene || !options_.statsFile.empty();
     if (options_.output.empty() && !quiet)
       return failUsage("Missing output file: use -o PICTURE (.png or .nrrd).");
-    if (const std::string said = saidBySession(); !said.empty())
-      return failUsage(options_.path + " is a session, which says what is drawn: leave " + said + " out.");
+    if (const std::string said = saidBySession(options_.drawn); !said.empty())
+      return failUsage(options_.drawn.path + " is a session, which says what is drawn: leave " + said +
+                       " out.");
     if (options_.output.empty()) return 0;
     const Status named = checkPictureName(options_.output);
     return named ? 0 : failUsage(named.message());
-  }
-
-  // Returns an option that contradicts the rendered session; empty: none.
-  std::string saidBySession() const {
-    if (!isSessionFile(options_.path)) return {};
-    if (!options_.series.empty()) return "--series";
-    if (!options_.scene.sceneFile.empty()) return "--scene";
-    if (!options_.scene.preset.empty()) return "--preset";
-    return options_.removeTable ? "--remove-table" : "";
-  }
-
-  // Returns the segments that the session's 3D view draws, and notes those that cannot be drawn.
-  std::vector<SegmentInScene> segmentsOf(const SessionView& session, const Volume& whole) const {
-    const std::vector<SegmentMap>& maps = session.segments;
-    std::vector<SegmentInScene> drawn;
-    std::vector<SegmentNotDrawn> refused;
-    for (const auto& [key, field] : surfacesOf(maps, whole, session.mask, mostSurfaceBytes(), cancel_)) {
-      const Segment* segment =
-          findSegment(*std::ranges::find(maps, key.map, &SegmentMap::number), key.number);
-      if (field)
-        drawn.push_back({segment, *field});
-      else
-        refused.push_back({segment, QString::fromStdString(field.message())});
-    }
-    if (cancel_.cancelled()) return drawn;  // cancelled surfaces are not refused ones
-    for (const QString& line : notDrawnText(refused).split(QLatin1Char('\n'), Qt::SkipEmptyParts))
-      printNotes({line.toStdString()});
-    const auto missing = std::ranges::count_if(maps, [](const SegmentMap& map) { return !map.labels; });
-    const char* which = missing == std::ssize(maps) ? "The" : "Some";
-    if (missing > 0)
-      printNotes({std::string(which) + " segments of the session were not found: they are not drawn."});
-    return drawn;
-  }
-
-  // True if the volume itself is visible only inside or outside segments.
-  bool showsTissueApart(const SessionView& session) const {
-    return std::ranges::any_of(session.segments, [&](const SegmentMap& map) {
-      return map.tissue.where != TissueShown::Where::everywhere && isOn(map, volume_->geometry());
-    });
-  }
-
-  // Masks the volume as in the session's 3D view.
-  Status leaveTissue(const SessionView& session) {
-    std::vector<const SegmentMap*> maps;
-    for (const SegmentMap& map : session.segments) maps.push_back(&map);
-    const BitMask voxels =
-        tissueVoxels(segmentsShownOf(maps, volume_->geometry()), maps.front()->tissue, cancel_);
-    const Result<VolumePtr> left = keptAlone(*volume_, voxels, cancel_);
-    if (!left) return left.error();
-    volume_ = *left;
-    return {};
-  }
-
-  static Scene asWhole(Scene scene, const Volume& whole) {
-    const VolumeFacts facts = factsOf(whole);
-    return drawnAsTheWhole(std::move(scene), defaultWindow(facts), facts.p999 - facts.p01, facts.geometry);
   }
 
   // Checks that all outputs can be written.
@@ -260,40 +154,19 @@ class Run {
     return {};
   }
 
-  // If there is too little memory for the volume, draws a reduced copy of it instead.
-  Status fitToMemory(Scene& scene, const RenderOptions& asked, std::optional<RenderCaches>& caches) {
-    const auto plan = makePlan(scene, caches->facts(), asked);
-    if (!plan) return {};  // draw() reports the reason
-    auto copy = copyToDraw(*plan, *volume_, caches->facts(), options_.path, volume_->bytes());
-    if (!copy) return copy.error();
-    if (!*copy) return {};
-    scene = plan->scene;
-    volume_ = (*copy)->volume;
-    reducedBy_ = (*copy)->factor;
-    caches.emplace(sparing(volume_));
-    printNotes({(*copy)->warning.sentence});
-    warnings_.push_back((*copy)->warning);
-    return {};
-  }
-
-  int draw(const Scene& scene, const RenderOptions& asked, RenderCaches& caches) {
+  int draw(const SceneToDraw& drawn, const RenderOptions& asked) {
     const int pictures = std::max(1, options_.turntable);
     for (int n = 0; n < pictures; ++n) {
       const double begin = wallMs();
-      auto plan = makePlan(scene, caches.facts(), asked);
-      if (plan && n > 0) {
-        Scene next = plan->scene;
-        *next.camera = turned(*next.camera, 360.0 * n / pictures);
-        plan = makePlan(next, caches.facts(), asked);
-      }
+      const auto plan = drawn.plan(asked, n, pictures);
       if (!plan) return failUsage(plan.message());
       times_.planMs += wallMs() - begin;
-      if (options_.output.empty() && options_.statsFile.empty()) return settle(*plan, caches);
-      if (const int failed = drawFrames(*plan, caches)) return failed;
+      if (options_.output.empty() && options_.statsFile.empty()) return settle(*plan, drawn.caches());
+      if (const int failed = drawFrames(*plan, drawn.caches())) return failed;
       if (options_.output.empty()) continue;
       const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
       const Status written =
-          writePicture(done_, textOf(done_, said_), warnings_, !options_.noWarningLine, path);
+          writePicture(done_, drawn.textOf(done_), drawn.warnings, !options_.noWarningLine, path);
       if (!written) return fail(written.message());
       told() << printable(path) << '\n';
       ++written_;
@@ -342,17 +215,14 @@ class Run {
     return fail(why, cancel_);
   }
 
-  int finish(int status) {
+  int finish(const SceneToDraw& drawn) {
+    const int status = statusWith(drawn.unread);
     if (options_.explain)
       told() << (times_.framesMs.empty() ? explain(done_.plan)
                                          : explain(done_.plan, effectCosts(done_.plan, done_.stats)));
     if (options_.printScene) std::cout << printableJson(sceneToJson(done_.plan.scene));
     if (options_.statsFile.empty()) return status;
-    nlohmann::ordered_json stats = statsJson(done_, said_, times_, *volume_);
-    stats["reducedBy"] = reducedBy_;
-    stats["warnings"] = sentences(warnings_);
-    stats["unread"] = unreadJson(unread_);
-    const Status written = writeWholeFile(options_.statsFile, jsonText(stats));
+    const Status written = writeWholeFile(options_.statsFile, jsonText(statsJson(done_, drawn, times_)));
     return written.ok() ? status : fail(written.message());
   }
 
@@ -361,27 +231,22 @@ class Run {
 
   const RenderArguments& options_;
   const CancelToken& cancel_;
-  VolumePtr volume_;
-  std::vector<Warning> warnings_;
-  std::vector<Unread> unread_;
-  SegmentsInPicture said_;
   Times times_;
   Rendered done_;
   int written_ = 0;
-  int reducedBy_ = 1;  // along each axis
 };
 
 }  // namespace
 
 std::function<int()> makeRender(CLI::App& app, const CancelToken& cancel) {
   auto o = std::make_shared<RenderArguments>();
-  addPath(app, o->path)->required();
+  addPath(app, o->drawn.path)->required();
   addPictureOutput(app, o->output, "The picture: .png (8 bits) or .nrrd (floats, for comparison)");
-  addSeries(app, o->series);
-  app.add_flag("--remove-table", o->removeTable,
+  addSeries(app, o->drawn.series);
+  app.add_flag("--remove-table", o->drawn.removeTable,
                "CT: draw the patient alone, without table, cushions and cables");
-  addSceneOptions(app, o->scene);
-  addMethodOptions(app, o->method);
+  addSceneOptions(app, o->drawn.scene);
+  addMethodOptions(app, o->drawn.method);
   wholeNumber(app.add_option("--frames", o->frames, "Render the same view N times, for timing"), 1, 100000);
   wholeNumber(app.add_option("--turntable", o->turntable, "Render N pictures of a full turn"), 1, 9999);
   app.add_option("--stats", o->statsFile, "Write times, samples, memory and the plan to this JSON file")

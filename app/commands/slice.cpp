@@ -46,10 +46,7 @@ Status writeSlice(const SlicePlane& plane, const Opened& opened, const SliceOpti
   if (isFloatPicture(options.output)) return writeValues(*opened.loaded.drawn, plane, options.output, cancel);
   auto picture = slicePicture(opened, plane, window, cancel);
   if (!picture) return picture.error();
-  const PictureText text{{"Software", "volumen " VOLUMEN_VERSION},
-                         {"Comment", "Not for clinical use"},
-                         {"volumen-plane", planeJson(plane).dump()},
-                         {"volumen-window", picture->window}};
+  const PictureText text = sliceText(plane, *picture);
   return writePictureWithWarnings(std::move(picture->image), text, opened.loaded.warnings,
                                   !options.noWarningLine, options.output);
 }
@@ -113,9 +110,7 @@ std::function<int()> makeSlice(CLI::App& app, const CancelToken& cancel) {
   addPlaneOptions(app, o->plane, true);
   app.add_option("--size", o->plane.size, "Picture size in pixels, WIDTHxHEIGHT (default: all of the volume)")
       ->type_name("WxH");
-  app.add_option("--window", o->window,
-                 "Centre and width of the values from black to white (default: the file's, else nearly all)")
-      ->type_name("C,W");
+  addWindow(app, o->window);
   CLI::Option* presentation =
       app.add_option(
              "--presentation", o->presentation,

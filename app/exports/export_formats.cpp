@@ -13,6 +13,20 @@ bool has(const std::vector<const char*>& options, std::string_view name) {
   return std::ranges::find(options, name) != options.end();
 }
 
+const std::vector<const char*> planeOptions = {"--plane",        "--at",   "--index",         "--centre",
+                                               "--right",        "--down", "--slab",          "--slab-mode",
+                                               "--mm-per-pixel", "--size", "--interpolation", "--average"};
+const std::vector<const char*> sceneOptions = {"--scene",   "--preset",     "--view",
+                                               "--mode",    "--projection", "--size",
+                                               "--quality", "--turntable",  "--frame-ms"};
+
+std::vector<const char*> captureOptions() {
+  std::vector<const char*> all = {"--series", "--window", "--rle"};
+  all.insert(all.end(), planeOptions.begin(), planeOptions.end());
+  all.insert(all.end(), sceneOptions.begin(), sceneOptions.end());
+  return all;
+}
+
 bool isGiven(const CLI::App& app, const char* name) {
   const auto& words = app.get_option(name)->results();
   return !words.empty() && !words.front().empty();
@@ -24,7 +38,14 @@ std::span<const ExportFormat> exportFormats() {
   static const ExportFormat formats[] = {
       {"sr", "measurements as a DICOM structured report (TID 1500)", {"--roi"}, {"--series"}, exportReport},
       {"ko", "key images as a DICOM key object selection", {"--images"}, {"--title"}, exportKeyObjects},
-      {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet}};
+      {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
+      {"sc",
+       "a rendering, a turn of it or a slice as a DICOM Secondary Capture",
+       {},
+       captureOptions(),
+       exportCapture,
+       checkCapture},
+      {"pdf", "a PDF file as a DICOM document of the study", {"--pdf"}, {"--title", "--series"}, exportPdf}};
   return formats;
 }
 
@@ -46,6 +67,18 @@ Status checkFormatOptions(const CLI::App& app, const ExportFormat* format) {
   return {};
 }
 
+Status settlePlane(const CLI::App& app, ExportJob& job) {
+  const std::string_view size = "--size";
+  job.hasPlane = std::ranges::any_of(
+      planeOptions, [&](const char* option) { return option != size && isGiven(app, option); });
+  if (!job.hasPlane) return {};
+  if (isGiven(app, "--size")) job.plane.size = job.scene.size;
+  for (const char* option : sceneOptions)
+    if (option != size && isGiven(app, option))
+      return Error{std::string(option) + " is for 3D pictures: leave it or the options of the plane out."};
+  return {};
+}
+
 void addFormatOptions(CLI::App& app, ExportJob& job) {
   app.add_option("--roi", job.shapes, "Of sr: the shapes to measure, as for `volumen measure`")
       ->type_name("FILE");
@@ -53,12 +86,24 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
                  "Of ko: the key images, UID,... by SOPInstanceUID, or UID/FRAME of one with several frames, "
                  "which count from 1")
       ->type_name("LIST");
-  app.add_option("--title", job.title,
-                 "Of ko: the reason for the choice, a code of CID 7010 (default: 113000, Of Interest)")
-      ->type_name("CODE");
+  app.add_option(
+         "--title", job.title,
+         "Of ko: the reason for the choice, a code of CID 7010 (default: 113000, Of Interest); of pdf: "
+         "the title of the document")
+      ->type_name("TITLE");
   app.add_option("--segments", job.segments, "Of rtstruct: a file of segments, as for `volumen measure`")
       ->type_name("FILE");
+  app.add_option("--pdf", job.pdf, "Of pdf: the PDF file")->type_name("FILE");
   addSeries(app, job.series);
+  addSceneOptions(app, job.scene);
+  addQuality(app, job.method);
+  wholeNumber(app.add_option("--turntable", job.turntable, "Of sc: N pictures of a full turn"), 1, 9999);
+  number(
+      app.add_option("--frame-ms", job.frameMs, "Of sc: the time of each picture of a turn (default: 100)"),
+      1, 60000);
+  app.add_flag("--rle", job.rle, "Of sc: compress without loss (RLE)");
+  addPlaneOptions(app, job.plane, false);
+  addWindow(app, job.window);
 }
 
 }  // namespace volumen

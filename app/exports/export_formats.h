@@ -15,6 +15,7 @@ struct ExportFormat {
   std::vector<const char*> needs;  ///< options that it cannot do without
   std::vector<const char*> takes;  ///< other options
   Result<Exported> (*write)(const ExportJob& job, const CancelToken& cancel);
+  Status (*check)(const ExportJob& job) = nullptr;  ///< of the options before anything is read
 };
 
 /// Returns all formats.
@@ -26,5 +27,9 @@ void addFormatOptions(CLI::App& app, ExportJob& job);
 /// Checks that the options of formats in the command line fit a format; null stands for none. The Error
 /// (wrong usage) names an option.
 Status checkFormatOptions(const CLI::App& app, const ExportFormat* format);
+
+/// Completes a job: whether it shows a plane, and that plane's size. The Error (wrong usage): an option of 3D
+/// pictures is given beside a plane.
+Status settlePlane(const CLI::App& app, ExportJob& job);
 
 }  // namespace volumen

@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "app/plane_options.h"
+#include "app/scene_to_draw.h"
 #include "io/study/unread.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/result.h"
@@ -12,7 +14,14 @@ namespace volumen {
 /// What `volumen export --as` writes: PATH, the file, and the values of the options of formats.
 struct ExportJob {
   std::string path, output, series;
-  std::string shapes, images, title, segments;
+  std::string shapes, images, title, segments, pdf, window;
+  PlaneOptions plane;
+  bool hasPlane = false;  ///< an option of the plane is given
+  SceneOptions scene;
+  MethodOptions method;
+  int turntable = 1;
+  double frameMs = 100;
+  bool rle = false;
 };
 
 /// What was written.
@@ -21,7 +30,12 @@ struct Exported {
   std::vector<Unread> unread{};      ///< files that could not be read
 };
 
+/// Check the options of a job before anything is read. The Error (wrong usage) names the option.
+Status checkCapture(const ExportJob& job);
+
 /// Each writes the file of a job in one format (exportFormats()). The Error is a sentence for the user.
+Result<Exported> exportCapture(const ExportJob& job, const CancelToken& cancel);
+Result<Exported> exportPdf(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportReport(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportStructureSet(const ExportJob& job, const CancelToken& cancel);

@@ -1,7 +1,7 @@
 #include "io/deidentify/deidentify_file.h"
 
-#include <QString>
 #include <algorithm>
+#include <set>
 
 #include "io/deidentify/rewrite_data_set.h"
 #include "io/dicom/data_set.h"
@@ -9,6 +9,7 @@
 #include "io/dicom/scanned_file.h"
 #include "io/export/dicom_file.h"
 #include "io/regular_file.h"
+#include "io/study/faces.h"
 #include "io/worker/batches.h"
 
 namespace volumen {
@@ -44,23 +45,16 @@ std::string problemOfClass(const std::string& sopClass) {
   return "";
 }
 
-bool holdsOneOf(const std::string& text, std::initializer_list<const char*> words) {
-  const QString upper = QString::fromStdString(text).toUpper();
-  return std::ranges::any_of(words, [&](const char* word) { return upper.contains(QLatin1String(word)); });
-}
-
 void notePixels(const DataSet& data, const Retained& retained, DeidentifiedFile& file) {
   const auto text = [&](std::uint32_t tag) { return data.text(tag, data.root()); };
   file.modality = text(0x00080060);
   const std::string burnedIn = text(0x00280301);
-  const bool isOften =
-      holdsOneOf(file.modality, {"US", "SC", "OT", "XA", "RF", "ES", "XC", "GM", "SM", "OP", "IVUS"});
+  static const std::set<std::string> oftenWithText = {"US", "SC", "OT", "XA", "RF",  "ES",
+                                                      "XC", "GM", "SM", "OP", "IVUS"};
+  const bool isOften = oftenWithText.contains(file.modality);
   file.mayShowText = burnedIn == "YES" || (isOften && burnedIn != "NO");
   const std::string part = text(0x00180015) + " " + text(0x00081030) + " " + text(0x0008103e);
-  file.mayShowFace =
-      holdsOneOf(file.modality, {"CT", "MR", "PT"}) &&
-      holdsOneOf(part, {"HEAD", "BRAIN", "SKULL", "FACE", "FACIAL", "ORBIT", "SINUS", "NECK", "KOPF",
-                        "SCHAEDEL", "HIRN", "CRAN", "CEREB", "CEREV", "NEURO", "WHOLE"});
+  file.mayShowFace = mayShowFace(file.modality, part);
   file.hasLostSuv =
       file.modality == "PT" && !(retained.patient && (retained.dates || retained.shiftDays != 0));
 }

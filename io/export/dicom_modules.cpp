@@ -69,6 +69,13 @@ bool mayBePaired(const std::string& bodyPart) {
   return std::ranges::find(paired, bodyPart) != std::end(paired);
 }
 
+DicomElements bodyPart(const SeriesIdentity& who) {
+  DicomElements all;
+  addIfKnown(all, 0x00180015, who.bodyPart);
+  if (mayBePaired(who.bodyPart)) all.push_back({0x00200060, who.laterality});
+  return all;
+}
+
 DicomElements contributingEquipment(std::span<const DicomElement> before) {
   constexpr std::uint32_t contributors = 0x0018a001;
   DicomElements all = {{contributors, {}}};

@@ -29,6 +29,8 @@ DicomElements enhancedEquipmentModule();
 
 /// True for paired body parts and unknown ones: images of them need Laterality, even if empty.
 bool mayBePaired(const std::string& bodyPart);
+/// Body part and laterality of an image or presentation state (General Series).
+DicomElements bodyPart(const SeriesIdentity& who);
 
 /// Contributing Equipment: names this program, which made the object from images of another machine.
 /// Contributors in the source's elements `before` come first.

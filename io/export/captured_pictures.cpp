@@ -1,0 +1,65 @@
+#include "io/export/captured_pictures.h"
+
+#include <QCryptographicHash>
+#include <QPainter>
+#include <cstring>
+#include <new>
+
+namespace volumen {
+
+namespace {
+
+std::string sha256(const std::string& text) {
+  const QByteArray hash =
+      QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256);
+  return hash.toHex().toStdString();
+}
+
+// Returns 3 bytes a pixel without gaps between rows.
+std::vector<std::uint8_t> rgbOf(const QImage& image) {
+  QImage opaque(image.size(), QImage::Format_RGB888);
+  if (opaque.isNull()) throw std::bad_alloc();
+  opaque.fill(Qt::black);
+  QPainter(&opaque).drawImage(0, 0, image);
+  const std::size_t row = std::size_t(opaque.width()) * 3;
+  std::vector<std::uint8_t> bytes(row * std::size_t(opaque.height()));
+  for (int y = 0; y < opaque.height(); ++y)
+    std::memcpy(&bytes[row * std::size_t(y)], opaque.constScanLine(y), row);
+  return bytes;
+}
+
+}  // namespace
+
+Status CapturedPictures::take(const QImage& image, const PictureText& text, const CancelToken& cancel) try {
+  if (!capture_) {
+    tags_.derivation = derivationWords(text, frames_);
+    auto begun =
+        SecondaryCapture::begin(path_, series_, tags_, {image.width(), image.height()}, frames_, {}, cancel);
+    if (!begun) return begun.error();
+    capture_.emplace(std::move(*begun));
+  }
+  return capture_->add(rgbOf(image));
+} catch (const std::bad_alloc&) {
+  return Error{"Cannot write " + path_ + ": there is not enough memory."};
+}
+
+Status CapturedPictures::finish() {
+  if (!capture_) return Error{"Cannot write " + path_ + ": it has no pictures."};
+  return capture_->finish();
+}
+
+std::string derivationWords(const PictureText& text, int pictures) {
+  static const std::string own = "volumen-", ofOne[] = {"error-estimated", "error-measured", "error-pilot"};
+  std::string words = pictures > 1 ? std::to_string(pictures) + " pictures" : "";
+  for (const auto& [key, value] : text) {
+    std::string name = key.starts_with(own) ? key.substr(own.size()) : "", told = value;
+    if (pictures > 1 && std::ranges::find(ofOne, name) != std::end(ofOne)) continue;
+    if (name == "scene") name = "scene SHA-256", told = sha256(value);
+    for (char& c : name)
+      if (c == '-') c = ' ';
+    words += (words.empty() ? "" : "; ") + (name.empty() ? "" : name + ": ") + told;
+  }
+  return words;
+}
+
+}  // namespace volumen

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QImage>
+#include <optional>
+
+#include "io/export/secondary_capture.h"
+#include "io/files/picture_file.h"
+#include "io/study/series.h"
+
+namespace volumen {
+
+/// Writes images of a series, all of one size, as a Secondary Capture into a new file. The file appears with
+/// finish(), or not at all.
+class CapturedPictures {
+ public:
+  /// `tags.derivation` is made from the texts of the first image.
+  CapturedPictures(std::string path, Series series, CaptureTags tags, int frames)
+      : path_(std::move(path)), series_(std::move(series)), tags_(std::move(tags)), frames_(frames) {}
+
+  /// Takes the next image; what is transparent becomes black. `text` is what its PNG would say. The Error as
+  /// of SecondaryCapture.
+  Status take(const QImage& image, const PictureText& text, const CancelToken& cancel);
+  Status finish();
+
+ private:
+  std::string path_;
+  Series series_;
+  CaptureTags tags_;
+  int frames_;
+  std::optional<SecondaryCapture> capture_;
+};
+
+/// Returns in words how pictures were made, from the texts of the first one: program, level, stated error,
+/// warnings, and a hash instead of a scene. What holds for the first picture alone is left out for several.
+std::string derivationWords(const PictureText& text, int pictures);
+
+}  // namespace volumen

@@ -1,0 +1,17 @@
+#include "io/study/faces.h"
+
+#include <QString>
+#include <algorithm>
+
+namespace volumen {
+
+bool mayShowFace(const std::string& modality, const std::string& words) {
+  static const char* const ofHead[] = {"HEAD",  "BRAIN", "SKULL", "FACE",     "FACIAL", "ORBIT",
+                                       "SINUS", "NECK",  "KOPF",  "SCHAEDEL", "HIRN",   "CRAN",
+                                       "CEREB", "CEREV", "NEURO", "WHOLE"};
+  if (modality != "CT" && modality != "MR" && modality != "PT") return false;
+  const QString upper = QString::fromStdString(words).toUpper();
+  return std::ranges::any_of(ofHead, [&](const char* word) { return upper.contains(QLatin1String(word)); });
+}
+
+}  // namespace volumen
