@@ -2,53 +2,13 @@
 
 #include <algorithm>
 
-#include "io/frames.h"
 #include "io/paths/open_path.h"
 #include "io/regular_file.h"
 #include "io/study/frame_series.h"
-#include "results/series/loaded_frame.h"
 #include "viewer/measure/scaled.h"
 #include "viewer/measure/shape_json.h"
 
 namespace volumen {
-
-namespace {
-
-// The series and index of the image on which a shape is drawn.
-struct FrameOfStudy {
-  const Series* series = nullptr;
-  int index = 0;
-};
-
-std::optional<FrameOfStudy> findFrame(const std::vector<Series>& all, const ShapeFrame& name) {
-  for (const Series& series : all)
-    if (const auto index = frameMeant(series, name)) return FrameOfStudy{&series, *index};
-  return {};
-}
-
-MeasuredShape measuredOnFrame(const Shape& shape, const std::vector<Series>& all, const std::string& unit) {
-  const auto found = findFrame(all, *shape.frame);
-  if (!found)
-    return {Error{"No picture here has the instance " + JsonFields::quoted(shape.frame->instance) +
-                  " and a frame " + std::to_string(shape.frame->number) + "."}};
-  MeasuredShape out{Measured{}, found->series, found->index};
-  const auto failed = [&](const Error& error) {
-    out.measured = error;
-    return out;
-  };
-  Result<Frame> frame = loadFrame(*found->series, found->index);
-  if (!frame) return failed(frame.error());
-  const Result<LoadedFramePtr> shown =
-      shownFrame(*found->series, {keyOf(*found->series), found->index}, std::move(*frame));
-  if (!shown) return failed(shown.error());
-  const auto scale = scaleFor((*shown)->slice->series, unit);
-  if (!scale) return failed(scale.error());
-  out.measured = scaled(measureOnFrame(shape, pixelsOf(**shown), scale->unit), scale->factor);
-  out.pixelMm = (*shown)->pixel.mm;
-  return out;
-}
-
-}  // namespace
 
 const OptionWords<PetUnit>& petUnitWords() {
   static const OptionWords<PetUnit> words{{"SUVbw", PetUnit::suvBodyWeight},
@@ -102,7 +62,9 @@ Result<ShapeSources> openForShapes(const std::string& path, const std::string& s
 
 MeasuredShape measuredShape(const Shape& shape, const ShapeSources& sources, const ValueScale& scale,
                             const std::string& unit, const CancelToken& cancel) {
-  if (shape.frame) return measuredOnFrame(shape, sources.frames, unit);
+  if (shape.frame)
+    return measuredOnFrame(shape, sources.frames,
+                           [&](const Series& series) { return scaleFor(series, unit); });
   return {scaled(measure(shape, *sources.volume->loaded.drawn, scale.unit, cancel), scale.factor)};
 }
 

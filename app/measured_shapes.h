@@ -6,8 +6,7 @@
 
 #include "app/open_volume.h"
 #include "app/option_words.h"
-#include "io/study/suv.h"
-#include "viewer/measure/measure.h"
+#include "results/numbers/measured_shape.h"
 
 namespace volumen {
 
@@ -33,13 +32,6 @@ Result<ShapeSources> openForShapes(const std::string& path, const std::string& s
                                    const std::vector<Shape>& shapes, bool needsVolume, const MemoryUse& use,
                                    const CancelToken& cancel);
 
-/// A measured shape, and the frame that it was measured on.
-struct MeasuredShape {
-  Result<Measured> measured;
-  const Series* series = nullptr;  ///< of the frame; null: it was measured in the volume, or on nothing
-  int frame = 0;                   ///< index in `series`
-  glm::dvec2 pixelMm{1};           ///< size of a pixel of the frame, or its proportions
-};
 /// Measures a shape on its frame, or in the volume, whose values have `scale`. `unit` as for scaleFor().
 MeasuredShape measuredShape(const Shape& shape, const ShapeSources& sources, const ValueScale& scale,
                             const std::string& unit, const CancelToken& cancel);

@@ -12,14 +12,6 @@ namespace volumen {
 
 namespace {
 
-// Returns whether a face can be recognised in a rendering; empty if the series does not say what it shows.
-std::optional<bool> showsFace(const Series& series) {
-  const std::string words = series.bodyPart + " " + series.studyDescription + " " + series.description;
-  if (mayShowFace(series.modality, words)) return true;
-  if (series.bodyPart.empty()) return {};
-  return false;
-}
-
 Result<CaptureTags> captureTags(const ExportJob& job, const Series& series, const char* description,
                                 const CancelToken& cancel) {
   const Result<Study> study = openPath(isSessionFile(job.path) ? series.path : job.path, {}, cancel);
@@ -72,7 +64,7 @@ Status drawTurn(const SceneToDraw& drawn, const RenderOptions& options, int pict
     PictureText text = drawn.textOf(*done);
     addWarnings(image, text, drawn.warnings, true);
     if (Status s = capture.take(image, text, cancel); !s) return s;
-    if (pictures > 1) progress("rendering", std::size_t(n) + 1, std::size_t(pictures));
+    if (pictures > 1 && progress) progress("rendering", std::size_t(n) + 1, std::size_t(pictures));
   }
   return capture.finish();
 }
@@ -90,7 +82,7 @@ Result<Exported> captureScene(const ExportJob& job, const CancelToken& cancel) {
   auto tags = captureTags(job, drawn->series,
                           job.turntable > 1 ? "Volume rendering, a full turn" : "Volume rendering", cancel);
   if (!tags) return tags.error();
-  tags->showsFace = showsFace(drawn->series);
+  tags->showsFace = showsFaceIn3d(drawn->series);
   CapturedPictures capture(job.output, drawn->series, *tags, job.turntable);
   const Status done = drawTurn(*drawn, asked->options, job.turntable, capture, cancel);
   endTerminalProgress();

@@ -36,7 +36,12 @@ bool isGiven(const CLI::App& app, const char* name) {
 
 std::span<const ExportFormat> exportFormats() {
   static const ExportFormat formats[] = {
-      {"sr", "measurements as a DICOM structured report (TID 1500)", {"--roi"}, {"--series"}, exportReport},
+      {"sr",
+       "measurements and numbers of segments as a DICOM structured report (TID 1500)",
+       {},
+       {"--roi", "--segments", "--series"},
+       exportReport,
+       checkReport},
       {"ko", "key images as a DICOM key object selection", {"--images"}, {"--title"}, exportKeyObjects},
       {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
       {"sc",
@@ -91,7 +96,10 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
          "Of ko: the reason for the choice, a code of CID 7010 (default: 113000, Of Interest); of pdf: "
          "the title of the document")
       ->type_name("TITLE");
-  app.add_option("--segments", job.segments, "Of rtstruct: a file of segments, as for `volumen measure`")
+  app.add_option(
+         "--segments", job.segments,
+         "Of rtstruct: a file of segments, as for `volumen measure`; of sr: a DICOM segmentation whose "
+         "numbers to report")
       ->type_name("FILE");
   app.add_option("--pdf", job.pdf, "Of pdf: the PDF file")->type_name("FILE");
   addSeries(app, job.series);

@@ -1,9 +1,14 @@
 #include "app/exports/exports.h"
 
+#include <algorithm>
+
 #include "app/measured_shapes.h"
+#include "app/segment_numbers.h"
+#include "io/open.h"
 #include "io/export/report_dicom.h"
 #include "io/paths/open_path.h"
-#include "results/numbers/report_of_shapes.h"
+#include "results/numbers/report_of_segments.h"
+#include "results/numbers/shapes_report.h"
 
 namespace volumen {
 
@@ -15,97 +20,100 @@ std::string shapeWords(const std::vector<Shape>& shapes, std::size_t n) {
   return "[" + std::to_string(n) + "] (" + ruleOf(shapes[n].kind).name + name + ")";
 }
 
-// A mosaic holds all slices in one image without frames.
-Result<bool> isMosaic(const Study& study, const Series& series) {
-  const auto& uids = series.sopInstanceUids;
-  if (uids.size() < 2 || uids[0] != uids[1]) return false;
-  const auto source = readDocumentSource(study, std::span(uids).first(1));
-  if (!source) return source.error();
-  return source->pictures.at(uids[0]).frames == 1;
-}
-
-/// Measures shapes and collects them in a report.
-class ShapesToReport {
- public:
-  ShapesToReport(const ExportJob& job, const std::vector<Shape>& shapes, const ShapeSources& sources,
-                 const CancelToken& cancel)
-      : job_(job), shapes_(shapes), sources_(sources), cancel_(cancel) {}
-
-  // The Error names the first shape that the report cannot hold.
-  Status run(const Study& study) {
-    if (const auto& opened = sources_.volume) {
-      const auto scale = scaleFor(opened->series, {});
-      const auto tiled = isMosaic(study, opened->series);
-      if (!scale) return scale.error();
-      if (!tiled) return tiled.error();
-      scale_ = *scale, isTiled_ = *tiled;
-    }
-    for (std::size_t n = 0; n < shapes_.size() && !cancel_.cancelled(); ++n)
-      if (Status s = add(n); !s)
-        return Error{job_.shapes + ": " + shapeWords(shapes_, n) + ": " + s.message()};
-    if (report.groups.empty()) return Error{job_.shapes + ": No shape in it has a number."};
-    return {};
-  }
-
-  Report report;
-  Exported exported;
-
- private:
-  Status add(std::size_t n) {
-    const Shape& shape = shapes_[n];
-    if (ruleOf(shape.kind).numberless) {
-      exported.notes.push_back(shapeWords(shapes_, n) + " has no number and is left out of the report.");
-      return {};
-    }
-    const MeasuredShape one = measuredShape(shape, sources_, scale_, {}, cancel_);
-    if (!one.measured) return one.measured.error();
-    const auto group = reportedShape(shape, *one.measured, placeOf(one));
-    if (!group) return Error{group.message() + "."};
-    report.groups.push_back(*group);
-    if (one.series) addUnread(exported.unread, one.series->unread);
-    if (const auto& frame = one.measured->frame; frame && !frame->calibration.empty())
-      exported.notes.push_back(shapeWords(shapes_, n) + ": its mm are " + frame->calibration +
-                               ", which the report does not say.");
-    return {};
-  }
-
-  ReportedOn placeOf(const MeasuredShape& one) const {
-    if (one.series) return {one.series, {}, {}, {}, false, one.frame, one.pixelMm};
-    const Opened& opened = *sources_.volume;
-    const Loaded& loaded = opened.loaded;
-    return {&opened.series, loaded.drawn->geometry(), loaded.origins, loaded.places, isTiled_};
-  }
-
-  const ExportJob& job_;
-  const std::vector<Shape>& shapes_;
-  const ShapeSources& sources_;
-  const CancelToken& cancel_;
-  ValueScale scale_;
-  bool isTiled_ = false;
-};
-
-}  // namespace
-
-Result<Exported> exportReport(const ExportJob& job, const CancelToken& cancel) {
+// Adds the shapes of a file to a report.
+Status addShapes(const ExportJob& job, const Study& study, Report& report, Exported& exported,
+                 const CancelToken& cancel) {
   const auto shapes = readShapes(job.shapes);
   if (!shapes) return shapes.error();
   const auto sources = openForShapes(job.path, job.series, *shapes, false, {}, cancel);
   if (!sources) return sources.error();
-  const Result<Study> study = openPath(job.path, {}, cancel);
-  if (!study) return study.error();
-  ShapesToReport made(job, *shapes, *sources, cancel);
-  if (sources->volume) {
-    made.exported.notes = sources->volume->notes;
-    made.exported.unread = sources->volume->loaded.unread;
+  ReportedVolume volume;
+  if (const auto& opened = sources->volume) {
+    const Loaded& loaded = opened->loaded;
+    volume = {opened->series, loaded.drawn, loaded.origins, loaded.places};
+    exported = {opened->notes, loaded.unread};
   }
-  if (Status s = made.run(*study); !s) return s.error();
-  if (Status s = checkLosses(job.path, made.exported.unread); !s) return s.error();
-  const auto source = readDocumentSource(*study, instancesOf(made.report), {}, cancel);
+  std::vector<ShapeToReport> toReport;
+  for (std::size_t n = 0; n < shapes->size(); ++n) {
+    const Shape& shape = (*shapes)[n];
+    toReport.push_back({shape, shapeWords(*shapes, n), shape.frame ? nullptr : &volume});
+  }
+  const auto made = reportOfShapes(toReport, study, sources->frames, cancel);
+  if (!made)
+    return Error{job.shapes + ": " +
+                 (made.message().empty() ? "No shape in it has a number." : made.message())};
+  report = made->report;
+  exported.notes.insert(exported.notes.end(), made->notes.begin(), made->notes.end());
+  addUnread(exported.unread, made->unread);
+  return {};
+}
+
+// Returns the segmentation that a file is.
+Result<DerivedObject> segmentationAt(const std::string& path) {
+  const Result<Study> study = openStudy(path);
+  if (!study) return study.error();
+  const auto found = std::ranges::find(study->derived, DerivedKind::segmentation, &DerivedObject::kind);
+  if (found != study->derived.end()) return *found;
+  return Error{path +
+               ": A report names segments by their DICOM segmentation, which this is not: write one first "
+               "(--as seg)."};
+}
+
+// Adds the numbers of the segments of a DICOM segmentation to a report, and the segmentation to the study.
+Status addSegments(const ExportJob& job, Study& study, Report& report, Exported& exported,
+                   const CancelToken& cancel) {
+  const auto object = segmentationAt(job.segments);
+  if (!object) return object.error();
+  auto opened = openVolume(job.path, job.series, cancel, segmenting);
+  if (!opened) return opened.error();
+  const auto segments = segmentsOfFile(job.segments, *opened, cancel);
+  if (!segments) return segments.error();
+  const auto numbers =
+      numbersTold(segments->maps, *opened, PetUnit::suvBodyWeight, {.surfaces = false}, cancel);
+  if (!numbers) return numbers.error();
+  std::vector<ReferencedPicture> sources;
+  for (const ReferencedPicture& picture : object->pictures)
+    sources.push_back({picture.sopInstanceUid, {}, {}, {}});
+  for (const SegmentReport& one : numbers->reports) {
+    const auto group = reportedSegment(one, object->sopInstanceUid, sources, numbers->scale);
+    if (group)
+      report.groups.push_back(*group);
+    else
+      opened->notes.push_back("Segment \"" + one.segment.label +
+                              "\" is left out of the report: " + group.message() + ".");
+  }
+  if (std::ranges::find(study.derived, object->sopInstanceUid, &DerivedObject::sopInstanceUid) ==
+      study.derived.end())
+    study.derived.push_back(*object);
+  exported.notes.insert(exported.notes.end(), opened->notes.begin(), opened->notes.end());
+  addUnread(exported.unread, opened->loaded.unread);
+  return {};
+}
+
+}  // namespace
+
+Status checkReport(const ExportJob& job) {
+  if (!job.shapes.empty() || !job.segments.empty()) return {};
+  return Error{"--as sr needs --roi FILE or --segments FILE."};
+}
+
+Result<Exported> exportReport(const ExportJob& job, const CancelToken& cancel) {
+  Result<Study> study = openPath(job.path, {}, cancel);
+  if (!study) return study.error();
+  Report report;
+  Exported exported;
+  if (!job.shapes.empty())
+    if (Status s = addShapes(job, *study, report, exported, cancel); !s) return s.error();
+  if (!job.segments.empty())
+    if (Status s = addSegments(job, *study, report, exported, cancel); !s) return s.error();
+  if (report.groups.empty()) return Error{job.segments + ": No segment in it has a volume."};
+  if (Status s = checkLosses(job.path, exported.unread); !s) return s.error();
+  const auto source = readDocumentSource(*study, instancesOf(report), {}, cancel);
   if (!source) return source.error();
-  const auto notes = writeReport(made.report, *source, job.output);
+  const auto notes = writeReport(report, *source, job.output);
   if (!notes) return notes.error();
-  made.exported.notes.insert(made.exported.notes.end(), notes->begin(), notes->end());
-  return made.exported;
+  exported.notes.insert(exported.notes.end(), notes->begin(), notes->end());
+  return exported;
 }
 
 }  // namespace volumen

@@ -31,6 +31,7 @@ struct Exported {
 };
 
 /// Check the options of a job before anything is read. The Error (wrong usage) names the option.
+Status checkReport(const ExportJob& job);
 Status checkCapture(const ExportJob& job);
 
 /// Each writes the file of a job in one format (exportFormats()). The Error is a sentence for the user.

@@ -2,6 +2,7 @@
 
 #include <QCryptographicHash>
 #include <QPainter>
+#include <algorithm>
 #include <cstring>
 #include <new>
 
@@ -9,10 +10,10 @@ namespace volumen {
 
 namespace {
 
+// Returns the hash of a text as a PNG of ours holds it: with single spaces.
 std::string sha256(const std::string& text) {
-  const QByteArray hash =
-      QCryptographicHash::hash(QByteArray::fromStdString(text), QCryptographicHash::Sha256);
-  return hash.toHex().toStdString();
+  const QByteArray inPng = QString::fromStdString(text).simplified().toUtf8();
+  return QCryptographicHash::hash(inPng, QCryptographicHash::Sha256).toHex().toStdString();
 }
 
 // Returns 3 bytes a pixel without gaps between rows.
@@ -54,9 +55,8 @@ std::string derivationWords(const PictureText& text, int pictures) {
   for (const auto& [key, value] : text) {
     std::string name = key.starts_with(own) ? key.substr(own.size()) : "", told = value;
     if (pictures > 1 && std::ranges::find(ofOne, name) != std::end(ofOne)) continue;
+    std::ranges::replace(name, '-', ' ');
     if (name == "scene") name = "scene SHA-256", told = sha256(value);
-    for (char& c : name)
-      if (c == '-') c = ' ';
     words += (words.empty() ? "" : "; ") + (name.empty() ? "" : name + ": ") + told;
   }
   return words;

@@ -14,4 +14,11 @@ bool mayShowFace(const std::string& modality, const std::string& words) {
   return std::ranges::any_of(ofHead, [&](const char* word) { return upper.contains(QLatin1String(word)); });
 }
 
+std::optional<bool> showsFaceIn3d(const SeriesIdentity& series) {
+  const std::string words = series.bodyPart + " " + series.studyDescription + " " + series.description;
+  if (mayShowFace(series.modality, words)) return true;
+  if (series.bodyPart.empty()) return {};
+  return false;
+}
+
 }  // namespace volumen

@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 #include <set>
 
+#include "results/numbers/report_codes.h"
 #include "viewer/slice/smooth_curve.h"
 
 namespace volumen {
@@ -13,40 +14,6 @@ namespace {
 
 using Points = std::vector<glm::dvec3>;
 using Type = ReportShape::Type;
-
-// Codes of measurements (PS3.16 CID 7470 and others). OHIF compares their meanings to the letter.
-const Code lengthCode{"410668003", "SCT", "Length"}, angleCode{"1483009", "SCT", "Angle"},
-    areaCode{"42798000", "SCT", "Area"}, volumeCode{"118565006", "SCT", "Volume"},
-    longAxisCode{"103339001", "SCT", "Long Axis"}, shortAxisCode{"103340004", "SCT", "Short Axis"},
-    ratioCode{"cardiothoracic", "99VOLUMEN", "Cardiothoracic ratio"}, meanCode{"373098007", "SCT", "Mean"},
-    deviationCode{"386136009", "SCT", "Standard Deviation"}, leastCode{"255605001", "SCT", "Minimum"},
-    mostCode{"56851009", "SCT", "Maximum"}, peakCode{"126031", "DCM", "Peak Value Within ROI"};
-
-Code ucum(const char* value, const char* meaning) { return {value, "UCUM", meaning}; }
-
-const Code millimetre = ucum("mm", "millimeter"), squareMillimetre = ucum("mm2", "square millimeter"),
-           millilitre = ucum("ml", "milliliter"), degree = ucum("deg", "degree"),
-           ratio = ucum("{ratio}", "ratio");
-
-// Returns the UCUM unit of values (CID 7181).
-Code unitOfValues(const std::string& unit) {
-  struct Row {
-    const char* unit;
-    Code code;
-  };
-  static const Row rows[] = {
-      {"", ucum("1", "no units")},
-      {"HU", ucum("[hnsf'U]", "Hounsfield Unit")},
-      {"Bq/ml", ucum("Bq/ml", "Becquerels/milliliter")},
-      {"SUVbw", ucum("g/ml{SUVbw}", "Standardized Uptake Value body weight")},
-      {"SUVlbm", ucum("g/ml{SUVlbm}", "Standardized Uptake Value lean body mass (James)")},
-      {"SUVbsa", ucum("cm2/ml{SUVbsa}", "Standardized Uptake Value body surface area")},
-      {"%", ucum("%", "Percent")},
-      {"Gy", ucum("Gy", "Gy")}};
-  const auto* row = std::ranges::find(rows, unit, &Row::unit);
-  if (row != std::end(rows)) return row->code;
-  return {"{" + unit + "}", "UCUM", unit};  // UCUM's form for units of others
-}
 
 // Returns the quantity that the values of a probe are of (TID 1419, CID 7180).
 Code quantityOf(const std::string& unit) {
@@ -314,12 +281,10 @@ class ShapeReporter {
     group_.shapes.push_back(region);
     add(areaCode, measured_.number, squareMillimetre, {region});
     const Code unit = unitOfValues(measured_.valueUnit);
-    if (const auto& values = measured_.values) {
-      add(meanCode, values->mean, unit, {});
-      add(deviationCode, values->sd, unit, {});
-      add(leastCode, values->min, unit, {});
-      add(mostCode, values->max, unit, {});
-    }
+    if (const auto& values = measured_.values)
+      for (const ReportMeasurement& one :
+           reportedValues(values->mean, values->sd, values->min, values->max, unit))
+        group_.measurements.push_back(one);
     if (measured_.peak) add(peakCode, measured_.peak->mean, unit, {});
   }
 

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "io/study/loaded.h"
 #include "io/study/series.h"
 #include "viewer/scene/scene.h"
 #include "viewer/volume/histogram.h"
@@ -14,8 +15,10 @@ namespace volumen {
 /// A loaded series, with what panels need of it. The loader makes it once; then it is only read.
 struct LoadedSeries {
   Series series;
-  VolumePtr volume;               ///< the drawn grid
-  std::vector<Warning> warnings;  ///< of the series, and of loading
+  VolumePtr volume;                       ///< the drawn grid
+  std::vector<SliceOrigin> origins = {};  ///< as in Loaded
+  std::vector<double> places = {};        ///< as in Loaded
+  std::vector<Warning> warnings;          ///< of the series, and of loading
   Histogram histogram;
   Window window;                     ///< of scenes without one: the file's, else P0.1 .. P99.9 (picture.md 8)
   std::optional<Window> flatWindow;  ///< of planes, if files have none (slices.md 1); empty: `window`

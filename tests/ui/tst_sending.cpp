@@ -20,10 +20,10 @@ struct SendingWindow : ArchivesWindow {
   QComboBox* field(const char* name) { return child<QComboBox>(name); }
   // Chooses the archive and, from the top, what to send. Sends it.
   void send(const char* archive, int choice) {
-    for (int n = 0; n < choice; ++n) QTest::keyClick(field("sendChoice"), Qt::Key_Down);
-    const int n = field("sendArchive")->findText(QLatin1String(archive));
-    while (field("sendArchive")->currentIndex() < n) QTest::keyClick(field("sendArchive"), Qt::Key_Down);
-    press("send");
+    for (int n = 0; n < choice; ++n) QTest::keyClick(field("exportChoice"), Qt::Key_Down);
+    const int n = field("exportTarget")->findText(QLatin1String(archive));
+    while (field("exportTarget")->currentIndex() < n) QTest::keyClick(field("exportTarget"), Qt::Key_Down);
+    press("exportButton");
   }
   QString status() { return child<QLabel>("toldText")->text(); }
   // Waits for the sentence about a series or study that was sent whole.
@@ -111,9 +111,9 @@ void TestSending::theSeriesInTheViewIsSent() {
   w.send("second", 0);
   QVERIFY2(w.hasSent(count("/doe/bone"), "second"), qPrintable(w.status() + w.banner()->sentence()));
   QCOMPARE(seriesInArchive(archive, "1.2.3.1"), 1);
-  QTRY_VERIFY(!w.child<QDialog>("sendDialog"));
+  QTRY_VERIFY(!w.child<QDialog>("exportDialog"));
   w.child<QAction>("sendToArchive")->trigger();
-  QCOMPARE(w.field("sendArchive")->currentText(), QStringLiteral("second"));
+  QCOMPARE(w.field("exportTarget")->currentText(), QStringLiteral("second"));
   w.send("second", 1);
   QVERIFY(w.hasSent(count("/doe/bone") + count("/doe/soft"), "second"));
   QCOMPARE(seriesInArchive(archive, "1.2.3.1"), 2);
@@ -139,16 +139,16 @@ void TestSending::whatIsListedIsSent() {
   w.tree()->setExpanded(w.row("Head", 4), true);
   QVERIFY(w.has("Soft tissue", 4));
   w.chooseInMenu(w.row("Soft tissue", 4), sendEntry);
-  QCOMPARE(w.field("sendChoice")->count(), 2);
+  QCOMPARE(w.field("exportChoice")->count(), 2);
   w.send("main", 0);
   const auto count = [&](const char* folder) {
     return std::size_t(dicomFilesBelow(studies.data + QLatin1String(folder)).size());
   };
   QVERIFY(w.hasSent(count("/doe/soft"), "main"));
   QCOMPARE(seriesInArchive(ListedArchives::archiveAt(peer.port()), "1.2.3.1"), 1);
-  QTRY_VERIFY(!w.child<QDialog>("sendDialog"));
+  QTRY_VERIFY(!w.child<QDialog>("exportDialog"));
   w.chooseInMenu(w.row("Müller"), sendEntry);
-  QCOMPARE(w.field("sendChoice")->count(), 1);
+  QCOMPARE(w.field("exportChoice")->count(), 1);
   w.send("main", 0);
   QVERIFY(w.hasSent(count("/mueller"), "main"));
   QCOMPARE(seriesInArchive(ListedArchives::archiveAt(peer.port()), "1.2.3.3"), 1);
@@ -191,7 +191,7 @@ void TestSending::whatCannotBeSentIsTold() {
   if (!opened.isEmpty())
     QTRY_VERIFY_WITH_TIMEOUT(w.window.session().series() && !w.window.document().loader.isBusy(), longest);
   w.child<QAction>("sendToArchive")->trigger();
-  if (w.child<QDialog>("sendDialog")) w.send("main", 0);
+  if (w.child<QDialog>("exportDialog")) w.send("main", 0);
   QVERIFY2(w.warns(sentence.constData()), qPrintable(w.banner()->sentence()));
 }
 
@@ -227,7 +227,7 @@ void TestSending::sendingIsCancelled() {
   QVERIFY(w.window.jobs().rows()[0].text.startsWith(QStringLiteral("Sending")));
   QVERIFY(!w.window.close());
   auto* box = w.child<QMessageBox>("closeBox");
-  QVERIFY(box && box->text().contains(QStringLiteral("images that are being sent")));
+  QVERIFY(box && box->text().contains(QStringLiteral("files that are being exported")));
   box->reject();
   w.window.jobs().cancel(w.window.jobs().rows()[0].id);
   QVERIFY(w.window.jobs().rows().empty());

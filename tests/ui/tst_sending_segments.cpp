@@ -60,17 +60,17 @@ void TestSendingSegments::segmentsAreSent() {
   w.child<QDockWidget>("segmentDock")->raise();
   QVERIFY(w.make(-100, 100) && w.count() == 1 && w.voxels(1) > 0);
   const auto send = [&](const char* choice, const char* archive) {
-    for (const char* field : {"sendChoice", "sendArchive"}) {
+    for (const char* field : {"exportChoice", "exportTarget"}) {
       auto* box = w.child<QComboBox>(field);
-      const int n = box->findText(QLatin1String(field == QByteArray("sendChoice") ? choice : archive));
+      const int n = box->findText(QLatin1String(field == QByteArray("exportChoice") ? choice : archive));
       while (box->currentIndex() < n) QTest::keyClick(box, Qt::Key_Down);
       QCOMPARE(box->currentIndex(), n);
     }
-    w.click("send");
+    w.click("exportButton");
     QTRY_COMPARE_WITH_TIMEOUT(w.child<QLabel>("toldText")->text(),
                               QStringLiteral("Sent 1 of 1 images to %1.").arg(QLatin1String(archive)),
                               longest);
-    QTRY_VERIFY(!w.child<QDialog>("sendDialog"));
+    QTRY_VERIFY(!w.child<QDialog>("exportDialog"));
   };
   w.child<QAction>("sendToArchive")->trigger();
   send("Its segments as they are now", "main");
@@ -102,7 +102,7 @@ void TestSendingSegments::segmentsAreSent() {
   for (QAction* action : menu->actions())
     if (action->text() == QStringLiteral("Send to archive..."))
       QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
-  QVERIFY(w.child<QComboBox>("sendChoice"));
+  QVERIFY(w.child<QComboBox>("exportChoice"));
   send("This object", "other");
   QCOMPARE(segmentationsIn(second, folder.filePath(QStringLiteral("there"))).size(), qsizetype(1));
   w.window.end();

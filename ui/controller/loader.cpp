@@ -52,6 +52,7 @@ Result<LoadedSeriesPtr> loadShown(const Series& series, const VolumePtr& source,
   auto shown = std::make_shared<LoadedSeries>();
   shown->series = series;
   shown->volume = loaded->drawn;
+  shown->origins = loaded->origins, shown->places = loaded->places;
   shown->warnings = loaded->warnings;
   shown->histogram = histogram(*loaded->drawn);
   setWindow(*shown);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "io/export/secondary_capture.h"
 #include "ui/exports/picture_maker.h"
 #include "ui/overlays/picture_pages.h"
 
@@ -29,6 +30,10 @@ PictureSink numberedFiles(const QString& path, int count);
 
 /// Writes PNG files to a new folder in `parent`, named by PictureLabel::number. The folder appears complete.
 PictureSink newFolder(const QString& parent, const QString& name);
+
+/// Writes `count` pictures of a series, all of one size, as a Secondary Capture. `tags.derivation` is made
+/// from their texts.
+PictureSink captureFile(const QString& path, const Series& series, const CaptureTags& tags, int count);
 
 /// Puts the last picture on the clipboard.
 PictureSink clipboard();

@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <QTemporaryDir>
 
+#include "io/export/captured_pictures.h"
 #include "results/text/text.h"
 #include "ui/exports/picture_sink.h"
 #include "ui/overlays/slice_sheet.h"
@@ -45,6 +46,17 @@ PictureSink pictureFile(const QString& path) {
   };
   return {take, [last, path](std::size_t) -> Result<QString> {
             if (Status written = writePicture(*last, path); !written) return written.error();
+            return tr("Saved %1").arg(path);
+          }};
+}
+
+PictureSink captureFile(const QString& path, const Series& series, const CaptureTags& tags, int count) {
+  const auto capture = std::make_shared<CapturedPictures>(path.toStdString(), series, tags, count);
+  const auto take = [capture](std::size_t, const MadePicture& picture) {
+    return capture->take(picture.image, picture.text, {});
+  };
+  return {take, [capture, path](std::size_t) -> Result<QString> {
+            if (Status written = capture->finish(); !written) return written.error();
             return tr("Saved %1").arg(path);
           }};
 }

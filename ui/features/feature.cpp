@@ -29,7 +29,7 @@ const std::vector<FeatureEntry>& features() {
       {"picture files", makePictureFiles},
       {"printing", makePrinting},
       {"snapshots", makeSnapshots},
-      {"sending", makeSending},
+      {"file exports", makeFileExports},
       {"receiving", makeReceiving},
       {"measuring", makeMeasuring},
       {"measurement charts", makeMeasurementCharts},

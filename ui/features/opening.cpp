@@ -162,7 +162,7 @@ bool Opening::eventFilter(QObject* window, QEvent* event) {
     return Feature::eventFilter(window, event);
   auto* drop = static_cast<QDropEvent*>(event);
   if (event->type() == QEvent::DragEnter) {
-    if (drop->mimeData()->hasUrls()) drop->acceptProposedAction();
+    if (!localFiles(*drop->mimeData()).isEmpty()) drop->acceptProposedAction();
     return true;
   }
   const QStringList paths = localFiles(*drop->mimeData());

@@ -49,6 +49,10 @@ Studies::Studies(Workbench& bench) : Feature(bench), panel_(new StudiesPanel(ope
   connect(panel_, &StudiesPanel::objectChosen, &bench_, &Workbench::objectChosen);
   connect(panel_, &StudiesPanel::attributesRequested, this, &Studies::showAttributes);
   connect(panel_, &StudiesPanel::segmentsRequested, &bench_, &Workbench::segmentsRequested);
+  // Files as they are have the patient's identity.
+  const auto follow = [this] { panel_->setDragsFiles(!session_.preferences().exportsWithoutIdentity); };
+  whenChanged(session_, panel_, follow, &Preferences::exportsWithoutIdentity);
+  follow();
   connect(panel_, &StudiesPanel::sendRequested, &bench_, &Workbench::objectSendRequested);
   QAction* attributes = bench_.addAction({"attributes",
                                           tr("DICOM attributes..."),

@@ -12,6 +12,7 @@
 #include <QUrl>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "io/study/frame_series.h"
@@ -63,8 +64,12 @@ bool standsFor(const Series& listed, const Series& series) {
   return keyOf(listed) == keyOf(series) || (!opensAsFrames(listed) && areTimePoints(listed, series));
 }
 
-// A tree with draggable series. Drag data holds the opened path and the series' number in it.
+// A tree with draggable series. Drag data holds the opened path and the series' number in it, and its files
+// for other programs.
 class StudyTree : public QTreeWidget {
+ public:
+  explicit StudyTree(std::function<QStringList(const QMimeData&)> filesOf) : filesOf_(std::move(filesOf)) {}
+
  protected:
   // The first click has already chosen. A second choice would replace a fused view by the PET alone.
   void mouseDoubleClickEvent(QMouseEvent* event) override {
@@ -77,8 +82,14 @@ class StudyTree : public QTreeWidget {
     auto* dragged = new QMimeData;
     dragged->setData(draggedSeriesType, items.front()->data(0, stepRole).toByteArray() + ' ' +
                                             items.front()->data(0, pathRole).toString().toUtf8());
+    QList<QUrl> urls;
+    for (const QString& file : filesOf_(*dragged)) urls << QUrl::fromLocalFile(file);
+    if (!urls.isEmpty()) dragged->setUrls(urls);
     return dragged;
   }
+
+ private:
+  const std::function<QStringList(const QMimeData&)> filesOf_;
 };
 
 // Removes an item with all parents that become empty.
@@ -96,7 +107,7 @@ StudiesPanel::StudiesPanel(OpenStudies& studies, FrameService& frames, QWidget* 
     : QWidget(parent),
       studies_(studies),
       search_(new QLineEdit),
-      tree_(new StudyTree),
+      tree_(new StudyTree([this](const QMimeData& dragged) { return draggedFiles(dragged); })),
       thumbnails_(thumbnailEdge, frames) {
   setMinimumWidth(leastWidth);
   search_->setObjectName(QStringLiteral("studySearch"));
@@ -177,6 +188,16 @@ const Series* StudiesPanel::seriesOf(const QMimeData& dragged) const {
   const std::size_t n = said.left(std::max(qsizetype(0), space)).toULongLong();
   const OpenStudy* opened = studies_.find(QString::fromUtf8(said.mid(space + 1)));
   return opened ? opened->seriesAt(n) : nullptr;
+}
+
+QStringList StudiesPanel::draggedFiles(const QMimeData& dragged) const {
+  const Series* series = dragsFiles_ ? seriesOf(dragged) : nullptr;
+  QStringList files;
+  if (!series) return files;
+  for (const std::string& file : series->files)
+    if (const QString path = QString::fromStdString(file); QFileInfo::exists(path)) files << path;
+  files.removeDuplicates();
+  return files;
 }
 
 QTreeWidgetItem* StudiesPanel::childNamed(QTreeWidgetItem* parent, const QString& key, const QString& text) {

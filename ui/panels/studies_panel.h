@@ -33,6 +33,8 @@ class StudiesPanel : public QWidget {
   QTreeWidget* tree() const { return tree_; }
   /// Returns the dragged series, or null if it is not in the list.
   const Series* seriesOf(const QMimeData& dragged) const;
+  /// Sets whether a dragged series also gives its files to other programs.
+  void setDragsFiles(bool on) { dragsFiles_ = on; }
 
  Q_SIGNALS:
   void seriesChosen(const volumen::Series& series);
@@ -50,6 +52,7 @@ class StudiesPanel : public QWidget {
  private:
   const OpenStudy* openedOf(const QTreeWidgetItem* item) const;
   const Series* seriesOf(const QTreeWidgetItem* item) const;
+  QStringList draggedFiles(const QMimeData& dragged) const;
   std::vector<const Series*> stepsOf(const QTreeWidgetItem* item) const;
   DerivedObjectPtr derivedObjectOf(const QTreeWidgetItem* item) const;
   QTreeWidgetItem* studyItem(const Series& series);
@@ -72,6 +75,7 @@ class StudiesPanel : public QWidget {
   QLineEdit* search_;
   QTreeWidget* tree_;
   Thumbnails thumbnails_;
+  bool dragsFiles_ = true;
 };
 
 }  // namespace volumen

@@ -27,6 +27,7 @@ void visit(Preferences& p, const Visit& each) {
   each("referenceLines", p.referenceLines);
   each("referenceEnds", p.referenceEnds);
   each("hideNames", p.hideNames);
+  each("exportsWithoutIdentity", p.exportsWithoutIdentity);
   each("receives", p.receives);
   each("tableIn3d", p.tableIn3d);
   each("petUnit", p.petUnit);

@@ -32,6 +32,7 @@ struct Preferences {
   bool referenceLines = true;  ///< planes of other views
   bool referenceEnds = false;  ///< also their first and last slices
   bool hideNames = false;
+  bool exportsWithoutIdentity = false;       ///< the switch of File > Export...
   bool receives = false;                     ///< listens for studies that others send
   bool tableIn3d = false;                    ///< CT only
   PetUnit petUnit = PetUnit::suvBodyWeight;  ///< if available

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
 #include <string>
 
 #include "tests/fixtures/dciodvfy.h"
@@ -9,6 +12,13 @@ namespace volumen::tests {
 /// An ultrasound clip of 34 frames in colour, and its SOPInstanceUID.
 inline constexpr const char* clip = "dicom-2d/us-cine-aspect-regions.dcm";
 inline constexpr const char* clipUid = "1.2.840.113857.1626.160635.1727.151815.1.1";
+
+/// Returns the values of an element, at the first place that has it; empty if there is none.
+inline std::string textIn(DcmItem& data, const DcmTagKey& tag) {
+  OFString text;
+  data.findAndGetOFStringArray(tag, text, OFTrue);
+  return text.c_str();
+}
 
 /// Returns the errors that dciodvfy finds in a file but not in `source`, which its patient and study come
 /// from.

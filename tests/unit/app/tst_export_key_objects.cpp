@@ -69,7 +69,7 @@ void TestExportKeyObjects::wrongInputIsRefused_data() {
   row("nothing said", {}, "", 2, "either --as FORMAT or --deidentify");
   row("both said", QStringLiteral("--as ko --deidentify"), "", 2, "either --as FORMAT or --deidentify");
   row("an unknown format", QStringLiteral("--as gif"), "", 2, "\"gif\" is not one of sr, ko");
-  row("no shapes", QStringLiteral("--as sr"), "", 2, "--as sr needs --roi FILE.");
+  row("no shapes", QStringLiteral("--as sr"), "", 2, "--as sr needs --roi FILE or --segments FILE.");
   row("no images", QStringLiteral("--as ko"), "", 2, "--as ko needs --images LIST.");
   row("images of a report", sr + QStringLiteral(" --images 1"), "", 2, "--images does not go with --as sr.");
   row("shapes of copies", QStringLiteral("--deidentify --roi SHAPES"), "", 2, "--roi goes with --as.");

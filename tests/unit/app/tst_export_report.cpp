@@ -32,6 +32,7 @@ class TestExportReport : public QObject {
   void shapesAcrossSlicesAreInThePatient();
   void shapesOnFramesNameThem();
   void shapesWithoutNumberAreLeftOut();
+  void segmentsAreReported();
   void namesOfPatientsStay_data();
   void namesOfPatientsStay();
 
@@ -42,12 +43,6 @@ class TestExportReport : public QObject {
 };
 
 namespace {
-
-std::string textIn(DcmItem& data, const DcmTagKey& tag) {
-  OFString text;
-  data.findAndGetOFStringArray(tag, text, OFTrue);
-  return text.c_str();
-}
 
 // A slice as acquired near the middle of a series, and the grid that shapes are measured on.
 struct MiddleSlice {
@@ -268,6 +263,49 @@ void TestExportReport::shapesWithoutNumberAreLeftOut() {
   const Outcome none = written({arrow}, "none.dcm");
   QVERIFY2(none.status == 1 && none.err.contains("No shape in it has a number."), none.err);
   QVERIFY(!QFile::exists(at("none.dcm")));
+}
+
+// Beside a shape; of segmentations that are no DICOM the sentence says what to write first.
+void TestExportReport::segmentsAreReported() {
+  NEED_DATA(dataPath());
+  const std::string path = dataPath("mr-head-ge-mprage-130");
+  const QString source = QString::fromStdString(path);
+  for (const char* file : {"bright.dcm", "bright.seg.nrrd"}) {
+    const Outcome made = runProgram({QStringLiteral("segment"), source, QStringLiteral("--range"),
+                                     QStringLiteral("300:4000"), QStringLiteral("-o"), at(file)});
+    QVERIFY2(made.status == 0, made.err);
+  }
+  const Result<Study> study = openStudy(path);
+  QVERIFY(study.ok());
+  const Series& series = study->volumes.front();
+  const QString json =
+      writtenShapes({{ShapeKind::probe, "", {series.acquired.patientFromVoxel({90, 80, 3})}, {}, {}, {}}});
+  const QStringList export_ = {QStringLiteral("export"),    source,
+                               QStringLiteral("--as"),      QStringLiteral("sr"),
+                               QStringLiteral("-o"),        at("segments.dcm"),
+                               QStringLiteral("--segments")};
+  const Outcome refused = runProgram(export_ + QStringList{at("bright.seg.nrrd")});
+  QCOMPARE(refused.status, 1);
+  QVERIFY2(refused.err.contains("--as seg"), refused.err);
+  const Outcome done = runProgram(export_ + QStringList{at("bright.dcm"), QStringLiteral("--roi"), json});
+  QVERIFY2(done.status == 0, done.err);
+  const Outcome measured =
+      runProgram({QStringLiteral("measure"), source, QStringLiteral("--segments"), at("bright.dcm")});
+  const auto known = QJsonDocument::fromJson(measured.out)[QStringLiteral("segments")][0];
+  const Result<Report> report = loadReport(at("segments.dcm").toStdString());
+  QVERIFY2(report, report ? "" : report.message().c_str());
+  QCOMPARE(report->groups.size(), std::size_t(2));
+  const MeasurementGroup& group = report->groups[1];
+  std::vector<double> values, wanted;
+  for (const ReportMeasurement& m : group.measurements) values.push_back(*m.value);
+  for (const char* name : {"millilitres", "mean", "sd", "min", "max"})
+    wanted.push_back(known[QLatin1String(name)].toDouble());
+  QCOMPARE(values, wanted);
+  QCOMPARE(group.measurements[0].unit.value, std::string("ml"));
+  QCOMPARE(group.pictures.at(0).segments, std::vector{1});
+  QVERIFY(group.pictures.size() > 1);
+  NEED_DCIODVFY();
+  QCOMPARE(newErrors(at("segments.dcm"), series.files[0]), QStringList());
 }
 
 void TestExportReport::namesOfPatientsStay_data() {

@@ -31,7 +31,8 @@ class TestExportSegments : public QObject {
   double millilitres(const QString& segments) const {
     const Outcome a =
         runProgram({QStringLiteral("measure"), source_, QStringLiteral("--segments"), segments});
-    return QJsonDocument::fromJson(a.out)[QStringLiteral("segments")][0][QStringLiteral("millilitres")].toDouble();
+    return QJsonDocument::fromJson(a.out)[QStringLiteral("segments")][0][QStringLiteral("millilitres")]
+        .toDouble();
   }
 
   QTemporaryDir folder_;

@@ -1,0 +1,50 @@
+#include "results/numbers/measured_shape.h"
+
+#include <optional>
+
+#include "io/frames.h"
+#include "results/series/loaded_frame.h"
+#include "viewer/measure/scaled.h"
+#include "viewer/scene/json_fields.h"
+
+namespace volumen {
+
+namespace {
+
+// The series and index of the image on which a shape is drawn.
+struct FrameOfStudy {
+  const Series* series = nullptr;
+  int index = 0;
+};
+
+std::optional<FrameOfStudy> findFrame(const std::vector<Series>& all, const ShapeFrame& name) {
+  for (const Series& series : all)
+    if (const auto index = frameMeant(series, name)) return FrameOfStudy{&series, *index};
+  return {};
+}
+
+}  // namespace
+
+MeasuredShape measuredOnFrame(const Shape& shape, const std::vector<Series>& all, const ScaleOf& scaleOf) {
+  const auto found = findFrame(all, *shape.frame);
+  if (!found)
+    return {Error{"No picture here has the instance " + JsonFields::quoted(shape.frame->instance) +
+                  " and a frame " + std::to_string(shape.frame->number) + "."}};
+  MeasuredShape out{Measured{}, found->series, found->index};
+  const auto failed = [&](const Error& error) {
+    out.measured = error;
+    return out;
+  };
+  Result<Frame> frame = loadFrame(*found->series, found->index);
+  if (!frame) return failed(frame.error());
+  const Result<LoadedFramePtr> shown =
+      shownFrame(*found->series, {keyOf(*found->series), found->index}, std::move(*frame));
+  if (!shown) return failed(shown.error());
+  const auto scale = scaleOf((*shown)->slice->series);
+  if (!scale) return failed(scale.error());
+  out.measured = scaled(measureOnFrame(shape, pixelsOf(**shown), scale->unit), scale->factor);
+  out.pixelMm = (*shown)->pixel.mm;
+  return out;
+}
+
+}  // namespace volumen

@@ -1,0 +1,107 @@
+#include "results/numbers/shapes_report.h"
+
+#include <algorithm>
+#include <map>
+
+#include "io/export/document_dicom.h"
+#include "viewer/measure/scaled.h"
+#include "viewer/measure/shape.h"
+
+namespace volumen {
+
+namespace {
+
+Result<ValueScale> usualScale(const Series& series) { return valueScale(series, PetUnit::suvBodyWeight); }
+
+// A mosaic holds all slices in one image without frames.
+Result<bool> isMosaic(const Study& study, const Series& series) {
+  const auto& uids = series.sopInstanceUids;
+  if (uids.size() < 2 || uids[0] != uids[1]) return false;
+  const auto source = readDocumentSource(study, std::span(uids).first(1));
+  if (!source) return source.error();
+  return source->pictures.at(uids[0]).frames == 1;
+}
+
+class Reporter {
+ public:
+  Reporter(const Study& study, const std::vector<Series>& frames, const CancelToken& cancel)
+      : study_(study), frames_(frames), cancel_(cancel) {}
+
+  Status add(const ShapeToReport& one) {
+    if (ruleOf(one.shape.kind).numberless) {
+      made.notes.push_back(one.name + " has no number and is left out of the report.");
+      return {};
+    }
+    return one.volume ? addInVolume(one) : addOnFrame(one);
+  }
+
+  ShapesReport made;
+
+ private:
+  Status addInVolume(const ShapeToReport& one) {
+    const ReportedVolume& in = *one.volume;
+    if (!tiled_.contains(&in)) {
+      const auto tiled = isMosaic(study_, in.series);
+      if (!tiled) return tiled.error();
+      tiled_[&in] = *tiled;
+    }
+    const auto scale = usualScale(in.series);
+    const auto measured = scaled(measure(one.shape, *in.volume, scale->unit, cancel_), scale->factor);
+    return addGroup(one, measured, {&in.series, in.volume->geometry(), in.origins, in.places, tiled_[&in]});
+  }
+
+  Status addOnFrame(const ShapeToReport& one) {
+    const MeasuredShape on = measuredOnFrame(one.shape, frames_, usualScale);
+    if (Status s = addGroup(one, on.measured, {on.series, {}, {}, {}, false, on.frame, on.pixelMm}); !s)
+      return s;
+    if (const auto& frame = on.measured->frame; frame && !frame->calibration.empty())
+      made.notes.push_back(one.name + ": its mm are " + frame->calibration +
+                           ", which the report does not say.");
+    for (const Unread& each : on.series->unread)
+      if (std::ranges::find(made.unread, each.path, &Unread::path) == made.unread.end())
+        made.unread.push_back(each);
+    return {};
+  }
+
+  Status addGroup(const ShapeToReport& one, const Result<Measured>& measured, const ReportedOn& on) {
+    if (!measured) return measured.error();
+    const auto group = reportedShape(one.shape, *measured, on);
+    if (!group) return Error{group.message() + "."};
+    made.report.groups.push_back(*group);
+    return {};
+  }
+
+  const Study& study_;
+  const std::vector<Series>& frames_;
+  const CancelToken& cancel_;
+  std::map<const ReportedVolume*, bool> tiled_;
+};
+
+}  // namespace
+
+Result<ShapesReport> reportOfShapes(std::span<const ShapeToReport> shapes, const Study& study,
+                                    const std::vector<Series>& frames, const CancelToken& cancel) {
+  Reporter reporter(study, frames, cancel);
+  for (const ShapeToReport& one : shapes) {
+    if (cancel.cancelled()) break;
+    if (Status s = reporter.add(one); !s) return Error{one.name + ": " + s.message()};
+  }
+  if (reporter.made.report.groups.empty()) return Error{};
+  return std::move(reporter.made);
+}
+
+Study studyOfUid(std::span<const Study* const> open, const std::string& studyUid) {
+  Study all;
+  const auto add = [&](const auto& from, auto& to) {
+    for (const auto& one : from)
+      if (one.studyUid == studyUid) to.push_back(one);
+  };
+  for (const Study* study : open) {
+    add(study->volumes, all.volumes);
+    add(study->images, all.images);
+    add(study->derived, all.derived);
+  }
+  return all;
+}
+
+}  // namespace volumen

@@ -1,0 +1,285 @@
+// Guards File > Export... by real events: each choice leaves as the object that it says, whole, with the
+// values that are shown, with or without the patient's identity; what fails or is cancelled leaves nothing.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include "io/export/dicom_series.h"
+#include "io/export/read_segments.h"
+#include "io/open.h"
+#include "io/report.h"
+#include "tests/ui/leaving.h"
+#include "tests/ui/segment_window.h"
+#include "tests/unit/suite.h"
+#include "viewer/phantoms/phantoms.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+namespace {
+
+// A CT of a head with a name, and a window on it with a length, a key image and a segment.
+struct ExportWindow : SegmentWindow {
+  explicit ExportWindow(const QString& path) : SegmentWindow(QStringList{path}) {}
+
+  bool prepare() {
+    if (!settle()) return false;
+    child<QAction>("layoutPlanes")->trigger();
+    session().setFocus(axialViewId);
+    if (!QTest::qWaitFor([&] { return view() && !view()->picture().isNull(); }, longest)) return false;
+    draw(ShapeKind::length, {{100, 100}, {160, 120}});
+    session().select(0);
+    view()->setFocus();
+    QTest::keyClick(&window, Qt::Key_K);
+    child<QDockWidget>("segmentDock")->raise();
+    return make(-100, 100) && QTest::qWaitFor([&] { return view()->isMeasured(); }, longest);
+  }
+  QString status() { return child<QLabel>("toldText")->text(); }
+
+  // Chooses what leaves by keys in the dialog. Returns whether it is offered.
+  bool ask(const char* choice) {
+    child<QAction>("exportFiles")->trigger();
+    auto* box = child<QComboBox>("exportChoice");
+    const int n = box ? box->findText(QLatin1String(choice)) : -1;
+    while (n >= 0 && box->currentIndex() < n) QTest::keyClick(box, Qt::Key_Down);
+    return n >= 0 && box->currentIndex() == n;
+  }
+  void answerWith(const QString& folder) {
+    click("exportButton");
+    answer(*this, "exportFolderDialog", folder);
+  }
+  // Exports into a folder and waits until all is written.
+  bool leave(const char* choice, const QString& folder) {
+    if (!ask(choice)) return false;
+    answerWith(folder);
+    return QTest::qWaitFor([&] { return status().startsWith(QStringLiteral("Saved")); }, longest) && idle();
+  }
+};
+
+std::string textIn(const QString& path, const DcmTagKey& tag) {
+  DcmFileFormat file;
+  OFString text;
+  if (file.loadFile(path.toStdString().c_str()).good())
+    file.getDataset()->findAndGetOFStringArray(tag, text, OFTrue);
+  return text.c_str();
+}
+
+}  // namespace
+
+class TestFileExports : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase();
+  void init() { openAlone(); }
+  void eachChoiceIsOneObject_data();
+  void eachChoiceIsOneObject();
+  void valuesAreThoseShown();
+  void theSeriesIsCopied();
+  void namesAreHiddenInPictures();
+  void identityIsLeftOut();
+  void whatFailsLeavesNothing();
+  void cancelledTurnLeavesNothing();
+  void nothingToExportIsSaid();
+
+ private:
+  QTemporaryDir data_;
+  QString ct_;
+};
+
+void TestFileExports::initTestCase() {
+  DicomSeriesTags tags;
+  tags.patientName = "Doe^Jane", tags.patientId = "PAT4711", tags.studyUid = "1.2.3.1", tags.modality = "CT";
+  ct_ = data_.filePath(QStringLiteral("ct"));
+  const Result<VolumePtr> head = makePhantom("ct-head:40");
+  QVERIFY(head && writeDicomSeries(**head, tags, ct_.toStdString()));
+}
+
+void TestFileExports::eachChoiceIsOneObject_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<QString>("sopClass");
+  const auto row = [](const char* choice, const char* file, const char* sopClass) {
+    QTest::newRow(choice) << QString::fromLatin1(file) << QString::fromLatin1(sopClass);
+  };
+  row("Its segments as they are now", "segments.dcm", "1.2.840.10008.5.1.4.1.1.66.4");
+  row("Its segments as an RT structure set", "structures.dcm", "1.2.840.10008.5.1.4.1.1.481.3");
+  row("The measurements of its study as a structured report", "measurements.dcm",
+      "1.2.840.10008.5.1.4.1.1.88.33");
+  row("The key images of its study as a list for archives", "key-images.dcm",
+      "1.2.840.10008.5.1.4.1.1.88.59");
+  row("The picture in the view", "picture.dcm", "1.2.840.10008.5.1.4.1.1.7");
+}
+
+// In the study of its series, as a new one. A second one gets a name of its own.
+void TestFileExports::eachChoiceIsOneObject() {
+  QFETCH(QString, file);
+  QFETCH(QString, sopClass);
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  w.session().setFocus(axialViewId);
+  const QTemporaryDir folder;
+  QVERIFY2(w.leave(QTest::currentDataTag(), folder.path()), qPrintable(w.status()));
+  const QString path = folder.filePath(file);
+  QCOMPARE(filesAt(folder.path()), QStringList{path});
+  QCOMPARE(textIn(path, DCM_SOPClassUID), sopClass.toStdString());
+  QCOMPARE(textIn(path, DCM_StudyInstanceUID), std::string("1.2.3.1"));
+  QCOMPARE(textIn(path, DCM_PatientName), std::string("Doe^Jane"));
+  const QByteArray before = contentsOf(path);
+  w.child<QLabel>("toldText")->clear();
+  QVERIFY2(w.leave(QTest::currentDataTag(), folder.path()), qPrintable(w.status()));
+  QCOMPARE(filesAt(folder.path()).size(), qsizetype(2));
+  QVERIFY(contentsOf(path) == before);
+  w.window.end();
+}
+
+// The length of the report, the key image, and the voxels of segments are those of the window.
+void TestFileExports::valuesAreThoseShown() {
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  const QTemporaryDir folder;
+  for (const char* choice : {"The measurements of its study as a structured report",
+                             "The key images of its study as a list for archives",
+                             "Its segments as they are now", "Its segments as an RT structure set"}) {
+    w.child<QLabel>("toldText")->clear();
+    QVERIFY2(w.leave(choice, folder.path()), choice);
+  }
+  const Result<Report> report = loadReport(folder.filePath(QStringLiteral("measurements.dcm")).toStdString());
+  QVERIFY2(report, report ? "" : report.message().c_str());
+  QCOMPARE(report->groups.size(), std::size_t(1));
+  const Shape& drawn = w.workspace().measurements[0].shape;
+  QCOMPARE(*report->groups[0].measurements.at(0).value, glm::distance(drawn.points[0], drawn.points[1]));
+  const Result<KeyObjects> keys =
+      loadKeyObjects(folder.filePath(QStringLiteral("key-images.dcm")).toStdString());
+  QVERIFY2(keys, keys ? "" : keys.message().c_str());
+  QCOMPARE(keys->pictures.size(), std::size_t(1));
+  QCOMPARE(keys->pictures[0].sopInstanceUid, w.workspace().keyImages[0].sopInstanceUid);
+  const LoadedSeriesPtr shown = w.session().series();
+  for (const char* file : {"segments.dcm", "structures.dcm"}) {
+    const auto read = readSegments(folder.filePath(QLatin1String(file)).toStdString(), shown->series,
+                                   shown->volume->geometry());
+    QVERIFY2(read, read ? "" : read.message().c_str());
+    QCOMPARE(maskOf(read->maps.at(0).labels, 1).count(), w.voxels(1));
+  }
+  w.window.end();
+}
+
+void TestFileExports::theSeriesIsCopied() {
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  const QTemporaryDir folder;
+  QVERIFY(w.leave("The series in the view", folder.path()));
+  QStringList here = filesAt(ct_), there = filesAt(folder.filePath(QStringLiteral("series")));
+  QCOMPARE(there.size(), here.size());
+  QCOMPARE(filesAt(folder.path()).size(), here.size());
+  std::set<QByteArray> originals, copies;
+  for (const QString& file : here) originals.insert(contentsOf(file));
+  for (const QString& file : there) copies.insert(contentsOf(file));
+  QVERIFY(copies == originals);
+  w.window.end();
+}
+
+void TestFileExports::namesAreHiddenInPictures() {
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  w.session().setFocus(axialViewId);
+  std::vector<QByteArray> pictures;
+  for (const bool isHidden : {false, true}) {
+    const QTemporaryDir folder;
+    w.child<QLabel>("toldText")->clear();
+    QVERIFY(w.ask("The picture in the view"));
+    auto* hide = w.child<QCheckBox>("exportHideNames");
+    QVERIFY(hide->isEnabled() && !hide->isChecked());
+    if (isHidden) QTest::mouseClick(hide, Qt::LeftButton, {}, {8, hide->height() / 2});
+    w.answerWith(folder.path());
+    QTRY_VERIFY_WITH_TIMEOUT(w.status().startsWith(QStringLiteral("Saved")), longest);
+    const QString path = folder.filePath(QStringLiteral("picture.dcm"));
+    QCOMPARE(textIn(path, DCM_BurnedInAnnotation), std::string(isHidden ? "NO" : "YES"));
+    QCOMPARE(textIn(path, DCM_PatientName), std::string("Doe^Jane"));
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(path.toStdString().c_str()).good());
+    const Uint8* bytes = nullptr;
+    unsigned long count = 0;
+    QVERIFY(file.getDataset()->findAndGetUint8Array(DCM_PixelData, bytes, &count).good());
+    pictures.emplace_back(reinterpret_cast<const char*>(bytes), qsizetype(count));
+  }
+  QVERIFY(pictures[0] != pictures[1]);
+  w.window.end();
+}
+
+// The switch is remembered.
+void TestFileExports::identityIsLeftOut() {
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  w.session().setFocus(axialViewId);
+  for (const char* choice :
+       {"The series in the view", "The picture in the view", "Its segments as they are now"}) {
+    const QTemporaryDir folder;
+    w.child<QLabel>("toldText")->clear();
+    QVERIFY(w.ask(choice));
+    auto* without = w.child<QCheckBox>("exportDeidentified");
+    const bool isFirst = !without->isChecked();
+    QCOMPARE(isFirst, choice == QByteArray("The series in the view"));
+    if (isFirst) QTest::mouseClick(without, Qt::LeftButton, {}, {8, without->height() / 2});
+    w.answerWith(folder.path());
+    QTRY_VERIFY_WITH_TIMEOUT(!filesAt(folder.path()).isEmpty() && w.window.jobs().rows().empty(), longest);
+    for (const QString& file : filesAt(folder.path())) {
+      const QByteArray bytes = contentsOf(file);
+      QVERIFY(bytes.size() > 132);
+      for (const char* original : {"Doe", "PAT4711", "1.2.3.1"})
+        QVERIFY2(!bytes.contains(original), original);
+      QCOMPARE(textIn(file, DCM_PatientIdentityRemoved), std::string("YES"));
+      QVERIFY(textIn(file, DCM_BurnedInAnnotation) != "YES");
+    }
+  }
+  w.window.end();
+}
+
+void TestFileExports::whatFailsLeavesNothing() {
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  const QTemporaryDir folder;
+  const QString there = folder.filePath(QStringLiteral("there"));
+  QVERIFY(QDir().mkdir(there));
+  QVERIFY(w.ask("Its segments as they are now"));
+  w.click("exportButton");
+  QVERIFY(QDir(there).removeRecursively());
+  QFile inTheWay(there);
+  QVERIFY(inTheWay.open(QIODevice::WriteOnly));
+  inTheWay.close();
+  QVERIFY(w.idle());
+  auto* dialog = w.window.findChild<QFileDialog*>(QStringLiteral("exportFolderDialog"));
+  QVERIFY(dialog);
+  Q_EMIT dialog->fileSelected(there);
+  const auto* banner = w.child<QWidget>("banner");
+  QVERIFY(banner);
+  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
+  QCOMPARE(filesAt(folder.path()), QStringList{there});
+  QCOMPARE(contentsOf(there), QByteArray());
+  w.window.end();
+}
+
+void TestFileExports::cancelledTurnLeavesNothing() {
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  w.child<QAction>("layoutPlanes")->trigger();
+  w.session().setFocus(sceneViewId);
+  const QTemporaryDir folder;
+  QVERIFY(w.ask("A full turn in 36 pictures"));
+  QVERIFY(!w.child<QCheckBox>("exportHideNames")->isEnabled());
+  w.answerWith(folder.path());
+  QTRY_VERIFY_WITH_TIMEOUT(!w.window.jobs().rows().empty(), longest);
+  w.window.jobs().cancel(w.window.jobs().rows()[0].id);
+  QVERIFY(w.idle());
+  QVERIFY(filesAt(folder.path()).isEmpty());
+  QVERIFY(w.leave("A full turn in 36 pictures", folder.path()));
+  QCOMPARE(textIn(folder.filePath(QStringLiteral("turn.dcm")), DCM_NumberOfFrames), std::string("36"));
+  w.window.end();
+}
+
+void TestFileExports::nothingToExportIsSaid() {
+  SegmentWindow w;
+  w.child<QAction>("exportFiles")->trigger();
+  QVERIFY(!w.child<QDialog>("exportDialog"));
+  QVERIFY(w.child<QWidget>("banner")->isVisible());
+}
+
+VOLUMEN_TEST(TestFileExports);
+#include "tst_file_exports.moc"

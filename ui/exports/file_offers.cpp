@@ -1,0 +1,204 @@
+#include "ui/exports/file_offers.h"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "io/export/export_segments.h"
+#include "io/export/key_objects_dicom.h"
+#include "io/export/report_dicom.h"
+#include "io/export/rtstruct.h"
+#include "io/load.h"
+#include "io/study/frame_series.h"
+#include "results/numbers/shapes_report.h"
+#include "results/text/text.h"
+#include "ui/controller/segments_on_slices.h"
+#include "ui/document/open_studies.h"
+#include "ui/workspace/session.h"
+
+namespace volumen {
+
+namespace {
+
+QStringList texts(const std::vector<std::string>& sentences) {
+  QStringList all;
+  for (const std::string& one : sentences) all << QString::fromStdString(one);
+  return all;
+}
+
+// Returns the files of an open series, or of all that is open of its study.
+std::vector<std::string> openFilesOf(const OpenStudies& open, const Series& shown, bool isOfStudy) {
+  std::set<std::string> files(shown.files.begin(), shown.files.end());
+  const auto belongs = [&](const SeriesIdentity& each) {
+    const bool isSameSeries = !shown.seriesUid.empty() && each.seriesUid == shown.seriesUid;
+    return !shown.studyUid.empty() && each.studyUid == shown.studyUid && each.patientId == shown.patientId &&
+           (isOfStudy || isSameSeries);
+  };
+  for (const Series* series : open.pictures()) {
+    if (series->format != "DICOM" || !belongs(*series)) continue;
+    files.insert(series->files.begin(), series->files.end());
+    for (const Unread& unread : series->unread)
+      if (!unread.beside) files.insert(unread.path);
+  }
+  for (const DerivedObjectPtr& object : open.derived())
+    if (isOfStudy && belongs(*object)) files.insert(object->path);
+  return {files.begin(), files.end()};
+}
+
+FileOffer offerOfFiles(const QString& text, const QString& name, std::vector<std::string> files) {
+  return {text, name,
+          [files = std::move(files)](const QString&, const Job&) { return Result(LeavingFiles{files}); }};
+}
+
+std::string pathIn(const QString& folder, const QString& name) {
+  return (folder + QLatin1Char('/') + name + QStringLiteral(".dcm")).toStdString();
+}
+
+FileOffer offerOfSegmentation(const std::vector<SegmentMap>& maps, const Series& series) {
+  const QString name = QStringLiteral("segments");
+  return {tr("Its segments as they are now"), name,
+          [maps, series, name](const QString& folder, const Job& job) -> Result<LeavingFiles> {
+            const auto segments = segmentedOnSlices(maps, series, job.cancel());
+            if (!segments) return segments.error();
+            const auto made =
+                exportSegments(pathIn(folder, name), *segments, series, job.progress(), job.cancel());
+            if (!made) return made.error();
+            return LeavingFiles{made->files, texts(made->notes)};
+          }};
+}
+
+FileOffer offerOfStructureSet(const std::vector<SegmentMap>& maps, const Series& series, const Study& study) {
+  const QString name = QStringLiteral("structures");
+  StructureSetTags tags;
+  tags.description = "Segments";
+  tags.seriesNumber = nextSeriesNumber(study, series.studyUid);
+  return {tr("Its segments as an RT structure set"), name,
+          [maps, series, tags, name](const QString& folder, const Job& job) -> Result<LeavingFiles> {
+            const std::string path = pathIn(folder, name);
+            const auto notes =
+                writeStructureSet(segmentedOf(maps), series, tags, path, job.progress(), job.cancel());
+            if (!notes) return notes.error();
+            return LeavingFiles{{path}, texts(*notes)};
+          }};
+}
+
+// The measurements of a study, as they are when an export is requested.
+struct MeasuredStudy {
+  Study study;
+  std::vector<ShapeToReport> shapes;
+  std::vector<SeriesKey> of;                    // the series of each shape
+  std::map<SeriesKey, Series> series;           // those that shapes in space are measured in
+  std::map<SeriesKey, LoadedSeriesPtr> held{};  // those of them that are in memory
+
+  // Returns the volume of a series, which is read unless it is in memory.
+  Result<ReportedVolume> volumeOf(const SeriesKey& key, const Job& job) const {
+    if (const auto found = held.find(key); found != held.end())
+      return ReportedVolume{found->second->series, found->second->volume, found->second->origins,
+                            found->second->places};
+    const Series& named = series.at(key);
+    auto loaded = loadSeries(named, job.progress(), job.cancel());
+    if (!loaded) return loaded.error();
+    return ReportedVolume{named, loaded->drawn, loaded->origins, loaded->places};
+  }
+};
+
+MeasuredStudy measuredIn(const Session& session, const Study& study, const std::string& studyUid) {
+  MeasuredStudy all{study, {}, {}, {}, {}};
+  for (const Measurement& m : session.workspace().measurements) {
+    const Series& series = *session.workspace().series.at(m.series).series;
+    if (series.studyUid != studyUid) continue;
+    const std::string kind = ruleOf(m.shape.kind).name;
+    all.shapes.push_back(
+        {m.shape, m.shape.name.empty() ? kind : kind + " \"" + m.shape.name + "\"", nullptr});
+    all.of.push_back(m.series);
+    if (m.shape.frame) continue;
+    all.series.insert_or_assign(m.series, series);
+    if (const LoadedSeriesPtr held = session.seriesNamed(m.series)) all.held[m.series] = held;
+  }
+  return all;
+}
+
+Result<LeavingFiles> reported(MeasuredStudy measured, const std::string& path, const Job& job) {
+  std::map<SeriesKey, ReportedVolume> volumes;
+  for (std::size_t n = 0; n < measured.shapes.size(); ++n) {
+    if (measured.shapes[n].shape.frame) continue;
+    const SeriesKey& key = measured.of[n];
+    if (!volumes.contains(key)) {
+      auto volume = measured.volumeOf(key, job);
+      if (!volume) return volume.error();
+      volumes.emplace(key, *std::move(volume));
+    }
+    measured.shapes[n].volume = &volumes.at(key);
+  }
+  std::vector<Series> frames = frameSeries(measured.study);
+  frames.insert(frames.end(), measured.study.volumes.begin(), measured.study.volumes.end());
+  const auto made = reportOfShapes(measured.shapes, measured.study, frames, job.cancel());
+  if (!made)
+    return Error{made.message().empty() ? tr("No measurement has a number.").toStdString() : made.message()};
+  const auto source =
+      readDocumentSource(measured.study, instancesOf(made->report), job.progress(), job.cancel());
+  if (!source) return source.error();
+  const auto notes = writeReport(made->report, *source, path);
+  if (!notes) return notes.error();
+  return LeavingFiles{{path}, texts(made->notes) + texts(*notes)};
+}
+
+FileOffer offerOfMeasurements(const MeasuredStudy& measured) {
+  const QString name = QStringLiteral("measurements");
+  return {tr("The measurements of its study as a structured report"), name,
+          [measured, name](const QString& folder, const Job& job) {
+            return reported(measured, pathIn(folder, name), job);
+          }};
+}
+
+FileOffer offerOfKeyImages(const std::vector<ReferencedPicture>& pictures, const Study& study) {
+  const QString name = QStringLiteral("key-images");
+  return {tr("The key images of its study as a list for archives"), name,
+          [pictures, study, name](const QString& folder, const Job& job) -> Result<LeavingFiles> {
+            std::vector<std::string> uids;
+            for (const ReferencedPicture& one : pictures) uids.push_back(one.sopInstanceUid);
+            const auto source = readDocumentSource(study, uids, job.progress(), job.cancel());
+            if (!source) return source.error();
+            const std::string path = pathIn(folder, name);
+            if (Status s = writeKeyObjects({keyObjectTitles().front(), {}, pictures}, *source, path); !s)
+              return s.error();
+            return LeavingFiles{{path}};
+          }};
+}
+
+std::vector<ReferencedPicture> keyImagesIn(const Session& session, const std::string& studyUid) {
+  std::vector<ReferencedPicture> pictures;
+  for (const KeyImage& image : session.workspace().keyImages) {
+    if (session.workspace().series.at(image.series).series->studyUid != studyUid) continue;
+    auto known = std::ranges::find(pictures, image.sopInstanceUid, &ReferencedPicture::sopInstanceUid);
+    if (known == pictures.end()) known = pictures.insert(known, {image.sopInstanceUid, {}, {}, {}});
+    if (std::ranges::find(known->frames, image.frame) == known->frames.end())
+      known->frames.push_back(image.frame);
+    std::ranges::sort(known->frames);
+  }
+  return pictures;
+}
+
+}  // namespace
+
+std::vector<FileOffer> offersOf(const Series& shown, const std::vector<SegmentMap>& maps,
+                                const Session& session, const OpenStudies& open) {
+  const auto name = [](const char* text) { return QString::fromLatin1(text); };
+  std::vector<FileOffer> offers{
+      offerOfFiles(tr("The series in the view"), name("series"), openFilesOf(open, shown, false)),
+      offerOfFiles(tr("All open series of its study"), name("study"), openFilesOf(open, shown, true))};
+  std::vector<const Study*> studies;
+  for (const OpenStudy& each : open.all()) studies.push_back(each.study.get());
+  const Study study = studyOfUid(studies, shown.studyUid);
+  if (!maps.empty()) {
+    offers.push_back(offerOfSegmentation(maps, shown));
+    offers.push_back(offerOfStructureSet(maps, shown, study));
+  }
+  if (const MeasuredStudy measured = measuredIn(session, study, shown.studyUid); !measured.shapes.empty())
+    offers.push_back(offerOfMeasurements(measured));
+  if (const auto pictures = keyImagesIn(session, shown.studyUid); !pictures.empty())
+    offers.push_back(offerOfKeyImages(pictures, study));
+  return offers;
+}
+
+}  // namespace volumen

@@ -1,0 +1,60 @@
+#include "ui/panels/export_dialog.h"
+
+#include <QFormLayout>
+#include <algorithm>
+
+#include "results/text/text.h"
+#include "ui/panels/picture_dialog.h"
+#include "ui/widgets/fields.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr int leastLettersOfExport = 24;
+
+}  // namespace
+
+ExportDialog::ExportDialog(const QString& name, const std::vector<ExportChoice>& choices,
+                           const Archives& archives, const QString& archive, bool deidentified,
+                           QWidget* parent)
+    : QDialog(parent),
+      choices_(choices),
+      choice_(choiceField({QStringLiteral("exportChoice"), tr("What")}, {}, leastLettersOfExport)),
+      target_(choiceField({QStringLiteral("exportTarget"), tr("Where to")}, {tr("A folder")},
+                          leastLettersOfExport)),
+      hideNames_(hideNamesField(QStringLiteral("exportHideNames"))),
+      deidentified_(
+          flagField({QStringLiteral("exportDeidentified"), tr("Without the patient's identity"),
+                     tr("Removes names, numbers, dates and private data (PS3.15 E), and makes new UIDs. "
+                        "Pixels stay.")})) {
+  setObjectName(QStringLiteral("exportDialog"));
+  setAttribute(Qt::WA_DeleteOnClose);
+  setWindowTitle(tr("Export"));
+  for (const ExportChoice& one : choices) choice_->addItem(one.text);
+  for (const Archive& one : archives.archives) target_->addItem(QString::fromStdString(one.name));
+  const auto& all = archives.archives;
+  const auto proposed = std::ranges::find(all, archive.toStdString(), &Archive::name);
+  target_->setCurrentIndex(proposed == all.end() ? 0 : int(proposed - all.begin()) + 1);
+  deidentified_->setChecked(deidentified);
+  auto* form = new QFormLayout(this);
+  form->addRow(wrappedLabel(QStringLiteral("exportName"), name));
+  form->addRow(choice_->accessibleName(), choice_);
+  form->addRow(target_->accessibleName(), target_);
+  form->addRow(hideNames_);
+  form->addRow(deidentified_);
+  auto* buttons = new QDialogButtonBox;
+  addAccept(*this, *buttons, QStringLiteral("exportButton"), tr("Export"));
+  form->addRow(buttons);
+  connect(choice_, &QComboBox::currentIndexChanged, this, &ExportDialog::showNames);
+  connect(deidentified_, &QCheckBox::toggled, this, &ExportDialog::showNames);
+  showNames();
+}
+
+// Names are hidden in any case without identity, or if the window hides them.
+void ExportDialog::showNames() {
+  const bool isPicture = choices_[std::size_t(std::max(0, choice()))].isPicture;
+  hideNames_->setEnabled(isPicture && !deidentified() && !volumen::namesHidden());
+}
+
+}  // namespace volumen
