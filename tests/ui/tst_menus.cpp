@@ -78,7 +78,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "picture...; Copy "
       "picture; Save all "
       "views...; Copy all views; Print picture...; "
-      "More pictures >; Save 3D snapshot...; Copy 3D snapshot; Send to archive...; |; Quit");
+      "More pictures >; Save 3D snapshot...; Copy 3D snapshot; Export...; Send to archive...; |; Quit");
   row("&File/More pictures",
       "Picture of any size...; Stack as pictures...; Contact sheet...; |; "
       "Key images as pages...");

@@ -67,9 +67,8 @@ void TestSendingSegments::segmentsAreSent() {
       QCOMPARE(box->currentIndex(), n);
     }
     w.click("exportButton");
-    QTRY_COMPARE_WITH_TIMEOUT(w.child<QLabel>("toldText")->text(),
-                              QStringLiteral("Sent 1 of 1 images to %1.").arg(QLatin1String(archive)),
-                              longest);
+    const QString sentence = QStringLiteral("Sent 1 of 1 images to %1.").arg(QLatin1String(archive));
+    QTRY_VERIFY_WITH_TIMEOUT(w.child<QLabel>("toldText")->text().startsWith(sentence), longest);
     QTRY_VERIFY(!w.child<QDialog>("exportDialog"));
   };
   w.child<QAction>("sendToArchive")->trigger();

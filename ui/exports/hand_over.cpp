@@ -107,7 +107,7 @@ Result<HandedOver> handOver(const LeavingFiles& leaving, const QString& name, co
                             const Job& job) {
   const QTemporaryDir folder;
   LeavingFiles files = leaving;
-  QStringList details = leaving.notes;
+  QStringList details;
   if (target.deidentified) {
     auto made = withoutIdentity(leaving, folder.path(), details, job);
     if (!made) return made.error();
@@ -115,6 +115,7 @@ Result<HandedOver> handOver(const LeavingFiles& leaving, const QString& name, co
   }
   auto done = target.archive ? sent(files, *target.archive, job) : copied(files, name, target.folder, job);
   if (!done) return done;
+  done->sentence = (QStringList(done->sentence) + leaving.notes).join(QLatin1Char(' '));
   done->details = details + done->details;
   return done;
 }
