@@ -85,6 +85,16 @@ void print(const DeidentifyReport& report, const ExportOptions& options) {
              "SUV cannot be computed any more (--keep patient,dates keeps what it needs, or --shift-dates)");
 }
 
+void print(const std::vector<std::string>& files, const std::vector<std::string>& notes, bool json) {
+  if (!json) {
+    for (const std::string& file : files) std::cout << "Wrote " << printable(file) << ".\n";
+    return;
+  }
+  Json list = Json::array();
+  for (const std::string& file : files) list.push_back(pathForJson(file));
+  std::cout << jsonText({{"file", list.front()}, {"files", list}, {"notes", notes}});
+}
+
 int writeFormat(const ExportFormat& format, const ExportOptions& options, const CancelToken& cancel) {
   const ExportJob& job = options.job;
   if (!options.kept.empty() || options.retained.shiftDays != 0 || !options.keyFile.empty())
@@ -92,10 +102,7 @@ int writeFormat(const ExportFormat& format, const ExportOptions& options, const 
   const Result<Exported> done = format.write(job, cancel);
   if (!done) return fail(done.message(), cancel);
   printNotes(done->notes);
-  if (options.json)
-    std::cout << jsonText({{"file", pathForJson(job.output)}, {"notes", done->notes}});
-  else
-    std::cout << "Wrote " << job.output << ".\n";
+  print(done->files.empty() ? std::vector{job.output} : done->files, done->notes, options.json);
   return statusWith(done->unread);
 }
 
@@ -152,7 +159,7 @@ std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
     formats.emplace_back(format.name);
     texts += (texts.empty() ? "" : "; ") + std::string(format.name) + ": " + format.text;
   }
-  oneOf(app.add_option("--as", options->format, "Write one file of this format. " + texts), formats);
+  oneOf(app.add_option("--as", options->format, "Write this format. " + texts), formats);
   addFormatOptions(app, job);
   app.add_flag("--deidentify", options->deidentifies,
                "Remove the patient's identity (PS3.15 E, Basic Application Level Confidentiality Profile)");

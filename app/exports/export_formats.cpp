@@ -43,7 +43,9 @@ std::span<const ExportFormat> exportFormats() {
        exportReport,
        checkReport},
       {"ko", "key images as a DICOM key object selection", {"--images"}, {"--title"}, exportKeyObjects},
+      {"seg", "segments as a DICOM segmentation", {"--segments"}, {"--series"}, exportSegmentation},
       {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
+      {"stl", "surfaces of segments, a file each", {"--segments"}, {"--series"}, exportSegmentSurfaces},
       {"sc",
        "a rendering, a turn of it or a slice as a DICOM Secondary Capture",
        {},
@@ -98,7 +100,7 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
       ->type_name("TITLE");
   app.add_option(
          "--segments", job.segments,
-         "Of rtstruct: a file of segments, as for `volumen measure`; of sr: a DICOM segmentation whose "
+         "Of seg, rtstruct, stl: a file of segments, as for `volumen measure`; of sr: a DICOM segmentation whose "
          "numbers to report")
       ->type_name("FILE");
   app.add_option("--pdf", job.pdf, "Of pdf: the PDF file")->type_name("FILE");

@@ -28,17 +28,20 @@ struct ExportJob {
 struct Exported {
   std::vector<std::string> notes{};  ///< sentences for the user
   std::vector<Unread> unread{};      ///< files that could not be read
+  std::vector<std::string> files{};  ///< if empty, that of the job
 };
 
 /// Check the options of a job before anything is read. The Error (wrong usage) names the option.
 Status checkReport(const ExportJob& job);
 Status checkCapture(const ExportJob& job);
 
-/// Each writes the file of a job in one format (exportFormats()). The Error is a sentence for the user.
+/// Each writes what a job names in one format (exportFormats()). The Error is a sentence for the user.
 Result<Exported> exportCapture(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportPdf(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportReport(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportStructureSet(const ExportJob& job, const CancelToken& cancel);
+Result<Exported> exportSegmentation(const ExportJob& job, const CancelToken& cancel);
+Result<Exported> exportSegmentSurfaces(const ExportJob& job, const CancelToken& cancel);
 
 }  // namespace volumen
