@@ -139,7 +139,7 @@ Result<std::optional<Window>> windowOf(const std::string& text) {
 void addPlaneOptions(CLI::App& app, PlaneOptions& o, bool takesFrame) {
   constexpr double farMm = 1e6;
   std::vector<std::string> names = keys(planes);
-  if (takesFrame) names.emplace_back(frameWord);
+  if (takesFrame) names.emplace_back(acquiredPlane);
   const std::string other = takesFrame ? ", or a picture as acquired: frame" : "";
   CLI::Option* plane =
       oneOf(app.add_option("--plane", o.plane, "The plane" + other + " (default: axial)"), names);

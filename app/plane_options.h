@@ -32,10 +32,10 @@ struct AskedPlane {
 };
 
 /// The word of --plane for an image as acquired.
-inline constexpr const char* frameWord = "frame";
+inline constexpr const char* acquiredPlane = "frame";
 
 /// Adds --plane, --at, --index, --centre, --right, --down, --mm-per-pixel, --slab, --slab-mode,
-/// --interpolation and --average. `takesFrame`: --plane may be frameWord.
+/// --interpolation and --average. `takesFrame`: --plane may be acquiredPlane.
 void addPlaneOptions(CLI::App& app, PlaneOptions& options, bool takesFrame);
 
 /// Parses the options. The Error (wrong usage) names the option.

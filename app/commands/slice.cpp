@@ -58,13 +58,13 @@ Status checkUsage(const SliceOptions& options, const AskedPlane& asked) {
   if (!options.output.empty())
     if (Status s = checkPictureName(options.output); !s) return s;
   const PlaneOptions& how = options.plane;
-  if (how.plane == frameWord &&
+  if (how.plane == acquiredPlane &&
       (asked.size || asked.centre || asked.rightAndDown || how.at || how.mmPerPixel || how.slabMm > 0 ||
        how.average || options.printPlane || how.interpolation != "linear"))
     return Error{
         "--plane frame shows a picture as acquired: only --index, --window, --series and --presentation go "
         "with it."};
-  if (how.plane != frameWord && !options.presentation.empty())
+  if (how.plane != acquiredPlane && !options.presentation.empty())
     return Error{"--presentation is for pictures as acquired: use it with --plane frame."};
   SlicePlane plane;
   if (asked.size) plane.size = *asked.size;
@@ -80,7 +80,7 @@ int run(const SliceOptions& options, const CancelToken& cancel) {
   if (Status s = checkUsage(options, *asked); !s) return failUsage(s.message());
   if (!options.output.empty())
     if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
-  if (how.plane == frameWord)
+  if (how.plane == acquiredPlane)
     return sliceFrame({options.path, options.series, options.output, how.index, *window, options.presentation,
                        !options.noGraphics},
                       cancel);

@@ -13,17 +13,16 @@ bool has(const std::vector<const char*>& options, std::string_view name) {
   return std::ranges::find(options, name) != options.end();
 }
 
-const std::vector<const char*> planeOptions = {"--plane",        "--at",   "--index",         "--centre",
-                                               "--right",        "--down", "--slab",          "--slab-mode",
-                                               "--mm-per-pixel", "--size", "--interpolation", "--average"};
-const std::vector<const char*> sceneOptions = {"--scene",   "--preset",     "--view",
-                                               "--mode",    "--projection", "--size",
-                                               "--quality", "--turntable",  "--frame-ms"};
+using Options = std::vector<const char*>;
 
-std::vector<const char*> captureOptions() {
-  std::vector<const char*> all = {"--series", "--window", "--rle"};
-  all.insert(all.end(), planeOptions.begin(), planeOptions.end());
-  all.insert(all.end(), sceneOptions.begin(), sceneOptions.end());
+const Options planeOptions = {"--plane",  "--at",   "--index",     "--centre",       "--right",
+                              "--down",   "--slab", "--slab-mode", "--mm-per-pixel", "--interpolation",
+                              "--average"};
+const Options sceneOptions = {"--scene",      "--preset",  "--view",      "--mode",
+                              "--projection", "--quality", "--turntable", "--frame-ms"};
+
+Options joined(Options all, const Options& more) {
+  all.insert(all.end(), more.begin(), more.end());
   return all;
 }
 
@@ -35,6 +34,9 @@ bool isGiven(const CLI::App& app, const char* name) {
 }  // namespace
 
 std::span<const ExportFormat> exportFormats() {
+  static const Options ofSeries = joined({"--series", "--size", "--spacing"}, planeOptions);
+  static const Options ofCapture =
+      joined(joined({"--series", "--size", "--window", "--rle"}, planeOptions), sceneOptions);
   static const ExportFormat formats[] = {
       {"sr",
        "measurements and numbers of segments as a DICOM structured report (TID 1500)",
@@ -45,11 +47,12 @@ std::span<const ExportFormat> exportFormats() {
       {"ko", "key images as a DICOM key object selection", {"--images"}, {"--title"}, exportKeyObjects},
       {"seg", "segments as a DICOM segmentation", {"--segments"}, {"--series"}, exportSegmentation},
       {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
+      {"series", "slices along a plane as a DICOM series, into a folder", {}, ofSeries, exportSeries},
       {"stl", "surfaces of segments, a file each", {"--segments"}, {"--series"}, exportSegmentSurfaces},
       {"sc",
        "a rendering, a turn of it or a slice as a DICOM Secondary Capture",
        {},
-       captureOptions(),
+       ofCapture,
        exportCapture,
        checkCapture},
       {"pdf", "a PDF file as a DICOM document of the study", {"--pdf"}, {"--title", "--series"}, exportPdf}};
@@ -75,15 +78,13 @@ Status checkFormatOptions(const CLI::App& app, const ExportFormat* format) {
 }
 
 Status settlePlane(const CLI::App& app, ExportJob& job) {
-  const std::string_view size = "--size";
-  job.hasPlane = std::ranges::any_of(
-      planeOptions, [&](const char* option) { return option != size && isGiven(app, option); });
+  const auto given = [&](const char* option) { return isGiven(app, option); };
+  if (given("--size")) job.plane.size = job.scene.size;
+  job.hasPlane = std::ranges::any_of(planeOptions, given);
   if (!job.hasPlane) return {};
-  if (isGiven(app, "--size")) job.plane.size = job.scene.size;
-  for (const char* option : sceneOptions)
-    if (option != size && isGiven(app, option))
-      return Error{std::string(option) + " is for 3D pictures: leave it or the options of the plane out."};
-  return {};
+  const auto ofScene = std::ranges::find_if(sceneOptions, given);
+  if (ofScene == sceneOptions.end()) return {};
+  return Error{std::string(*ofScene) + " is for 3D pictures: leave it or the options of the plane out."};
 }
 
 void addFormatOptions(CLI::App& app, ExportJob& job) {
@@ -98,10 +99,10 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
          "Of ko: the reason for the choice, a code of CID 7010 (default: 113000, Of Interest); of pdf: "
          "the title of the document")
       ->type_name("TITLE");
-  app.add_option(
-         "--segments", job.segments,
-         "Of seg, rtstruct, stl: a file of segments, as for `volumen measure`; of sr: a DICOM segmentation whose "
-         "numbers to report")
+  app.add_option("--segments", job.segments,
+                 "Of seg, rtstruct, stl: a file of segments, as for `volumen measure`; of sr: a DICOM "
+                 "segmentation whose "
+                 "numbers to report")
       ->type_name("FILE");
   app.add_option("--pdf", job.pdf, "Of pdf: the PDF file")->type_name("FILE");
   addSeries(app, job.series);
@@ -114,6 +115,10 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
   app.add_flag("--rle", job.rle, "Of sc: compress without loss (RLE)");
   addPlaneOptions(app, job.plane, false);
   addWindow(app, job.window);
+  number(app.add_option("--spacing", job.spacingMm,
+                        "Of series: from slice to slice, in mm (default: the thickness of the slab, else the "
+                        "volume's spacing)"),
+         1e-3, 1e6);
 }
 
 }  // namespace volumen

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,12 +12,13 @@
 
 namespace volumen {
 
-/// What `volumen export --as` writes: PATH, the file, and the values of the options of formats.
+/// What `volumen export --as` writes: PATH, the file or folder, and the values of the options of formats.
 struct ExportJob {
   std::string path, output, series;
   std::string shapes, images, title, segments, pdf, window;
   PlaneOptions plane;
-  bool hasPlane = false;  ///< an option of the plane is given
+  std::optional<double> spacingMm{};  ///< from slice to slice
+  bool hasPlane = false;              ///< an option of the plane is given
   SceneOptions scene;
   MethodOptions method;
   int turntable = 1;
@@ -43,5 +45,6 @@ Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cance
 Result<Exported> exportStructureSet(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportSegmentation(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportSegmentSurfaces(const ExportJob& job, const CancelToken& cancel);
+Result<Exported> exportSeries(const ExportJob& job, const CancelToken& cancel);
 
 }  // namespace volumen

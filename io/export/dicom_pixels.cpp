@@ -94,7 +94,29 @@ std::optional<StoredSlice> realSlice(std::span<const float> values, const std::o
   return {};
 }
 
+std::span<const float> floatsOf(const Volume& volume, int k) {
+  const std::size_t count = std::size_t(volume.size().x) * std::size_t(volume.size().y);
+  return std::span(std::get<std::vector<float>>(volume.stored())).subspan(std::size_t(k) * count, count);
+}
+
+bool isExact(const Volume& volume, StoredAs as) {
+  for (int k = 0; k < volume.size().z; ++k)
+    if (roundedSlice(volume, k, as).largestError > 0) return false;
+  return true;
+}
+
 }  // namespace
+
+StoredAs storedAsOne(const Volume& volume, const std::optional<StoredAs>& source) {
+  if (source && source->slope != 0 && isExact(volume, *source)) return *source;
+  if (const StoredAs whole{1, 0, true}; isExact(volume, whole)) return whole;
+  const auto [low, high] = std::ranges::minmax(std::get<std::vector<float>>(volume.stored()));
+  return {high > low ? (double(high) - double(low)) / 65535 : 1, low, false};
+}
+
+StoredSlice roundedSlice(const Volume& volume, int k, StoredAs as) {
+  return rescaled(floatsOf(volume, k), as, volume.attributes().padding);
+}
 
 std::optional<StoredSlice> storedSlice(const Volume& volume, int k, const std::optional<StoredAs>& source,
                                        bool mayRound) {

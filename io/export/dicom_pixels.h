@@ -23,6 +23,12 @@ struct StoredAs {
   bool isSigned = false;
 };
 
+/// Returns how all values of a volume of floats are stored best: as `source` has it if that is exact, else as
+/// whole numbers if these are, else in 65536 steps from the lowest to the highest value.
+StoredAs storedAsOne(const Volume& volume, const std::optional<StoredAs>& source);
+/// Returns slice `k` of a volume of floats in this way, rounded.
+StoredSlice roundedSlice(const Volume& volume, int k, StoredAs as);
+
 /// Returns slice `k` of a volume as 16-bit words. Integers stay as they are. Real values use the rescale of
 /// their source if it is exact, else whole numbers. If neither is exact and `mayRound`, they are rounded to
 /// 65536 steps from zero to the largest value. Padding of real values that has no number gets the lowest or

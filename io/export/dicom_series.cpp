@@ -85,7 +85,7 @@ Result<double> writeSlices(const Volume& volume, const DicomSliceWriter& writer,
   for (int k = 0; k < volume.size().z; ++k) {
     if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
     if (progress) progress("writing slices", std::size_t(k), std::size_t(volume.size().z));
-    const auto pixels = storedSlice(volume, k, writer.storedAs(k), writer.mayRound());
+    const auto pixels = writer.pixels(k);
     if (!pixels)
       return Error{volume.attributes().name +
                    " holds real values that are not whole numbers within 16 bits, which DICOM pixels "

@@ -1,16 +1,27 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/export/dicom_source.h"
 #include "io/study/identity.h"
 #include "io/study/loaded.h"
+#include "viewer/segment/code.h"
 #include "viewer/volume/volume.h"
 
 namespace volumen {
 
 struct Series;
+
+/// How the slices of a volume were made of those of its source.
+struct Resampling {
+  std::string words;                      ///< what was done, for DerivationDescription
+  Code code;                              ///< the same as a code of CID 7203
+  std::string imageType;                  ///< the same as a value of ImageType
+  double thicknessMm = 0;                 ///< SliceThickness
+  std::vector<std::vector<int>> sources;  ///< for each slice, the slices of the source that it shows
+};
 
 /// Attributes of a written series beside pixels and geometry: its identity and its source's attributes.
 /// Text is UTF-8. An empty studyUid is made from the contents; seriesUid is that of the source.
@@ -24,6 +35,8 @@ struct DicomSeriesTags : SeriesIdentity {
 
   DicomSource source;                ///< attributes of the slices of a DICOM series; else empty
   std::vector<SliceOrigin> origins;  ///< slices of the source that each slice of the volume comes from
+  /// In place of `origins`, if slices lie on other planes. The series is then a new one each time.
+  std::optional<Resampling> resampling;
 };
 
 /// Returns the tags of an opened series; the patient of a phantom is "Volumen^Sample".
@@ -43,13 +56,12 @@ Status checkDicomFolder(const std::string& folder);
 /// `folder` must be empty or not exist; the series appears whole or not at all. CT, MR and PET volumes become
 /// CT, MR and PET Image Storage; others, and PET without units, become Secondary Capture.
 /// Patient, study, equipment, frame of reference, acquisition and windows are kept from the source; each
-/// slice names its source images. UIDs derive from the contents: the same volume and tags give the same
-/// files.
-/// Values are exact; rescale and geometry have the 16 characters of a decimal string. PET slices that cannot
-/// be exact are rounded to 16 bits. Slices may be oblique and sheared (gantry tilt).
-/// Returns notes for the user: how far values are rounded, what became a Secondary Capture. The Error: rows
-/// and columns are not perpendicular, the volume is not calibrated, it holds doses, or its real values are
-/// not exact in 16 bits.
+/// slice names its source images. UIDs derive from the contents, except for resampled slices: the same volume
+/// and tags give the same files. Values are exact; rescale and geometry have the 16 characters of a decimal
+/// string. PET slices that cannot be exact are rounded to 16 bits, and so are resampled ones, by one rescale
+/// for all slices unless they are PET. Slices may be oblique and sheared (gantry tilt). Returns notes for the
+/// user: how far values are rounded, what became a Secondary Capture. The Error: rows and columns are not
+/// perpendicular, the volume is not calibrated, it holds doses, or its real values are not exact in 16 bits.
 Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const DicomSeriesTags& tags,
                                                   const std::string& folder, const Progress& progress = {},
                                                   const CancelToken& cancel = {});

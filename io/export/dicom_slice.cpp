@@ -37,20 +37,35 @@ std::map<std::uint32_t, DicomElements> byTag(const DicomSource& source, int slic
   return all;
 }
 
-// Returns the elements of an interpolated slice: those that both neighbours agree on. Times and windows are
-// taken from the slice below.
-DicomElements common(const std::map<std::uint32_t, DicomElements>& below,
-                     const std::map<std::uint32_t, DicomElements>& above) {
-  constexpr std::uint32_t ofTheOneBelow[] = {0x00080022, 0x00080023, 0x00080032, 0x00080033,
-                                             0x00181242, 0x00281050, 0x00281051, 0x00281055,
-                                             0x00281056, 0x00541300, 0x00541321};
+// Leaves the elements that another slice agrees on, for one made of both. Times and windows stay.
+void keepCommon(std::map<std::uint32_t, DicomElements>& all,
+                const std::map<std::uint32_t, DicomElements>& others) {
+  constexpr std::uint32_t ofTheFirst[] = {0x00080022, 0x00080023, 0x00080032, 0x00080033,
+                                          0x00181242, 0x00281050, 0x00281051, 0x00281055,
+                                          0x00281056, 0x00541300, 0x00541321};
+  std::erase_if(all, [&](const auto& one) {
+    const auto other = others.find(one.first);
+    const bool alike = other != others.end() && other->second == one.second;
+    return !alike && std::ranges::find(ofTheFirst, one.first) == std::end(ofTheFirst);
+  });
+}
+
+DicomElements flat(const std::map<std::uint32_t, DicomElements>& byTags) {
   DicomElements all;
-  for (const auto& [tag, elements] : below) {
-    const auto other = above.find(tag);
-    const bool alike = other != above.end() && other->second == elements;
-    if (alike || std::ranges::find(ofTheOneBelow, tag) != std::end(ofTheOneBelow)) append(all, elements);
-  }
+  for (const auto& [tag, elements] : byTags) append(all, elements);
   return all;
+}
+
+// Returns the slice that was acquired first: SUV may be of its time.
+int firstInTime(const DicomSource& source) {
+  const auto time = [&](int n) {
+    const DicomElements& elements = source.file(n).elements;
+    return std::pair(valueOf(elements, 0x00080022), valueOf(elements, 0x00080032));
+  };
+  int first = 0;
+  for (int n = 1; n < int(source.slices.size()); ++n)
+    if (time(n) < time(first)) first = n;
+  return first;
 }
 
 DicomElements windows(const Volume& volume, const DicomSeriesTags& tags) {
@@ -131,11 +146,19 @@ std::string commonFrameOfReference(const DicomSource& source) {
 DicomSliceWriter::DicomSliceWriter(const Volume& volume, const DicomSeriesTags& tags)
     : volume_(volume),
       tags_(tags),
-      uids_(volume, tags.patientId + tags.description + tags.seriesUid + tags.bValue) {
+      uids_(volume, tags.patientId + tags.description + tags.seriesUid + tags.bValue +
+                        (tags.resampling ? randomUid() : "")) {
   if (!tags.source.slices.empty()) first_ = tags.source.file(0).elements;
   isPet_ = volume.attributes().modality == "PT" && !valueOf(first_, units).empty();
   identity_ = identityElements();
   series_ = seriesElements();
+  if (!tags.resampling) return;
+  ofAll_ = commonOfAll();
+  if (isPet_ || !std::holds_alternative<std::vector<float>>(volume.stored())) return;
+  std::optional<StoredAs> source;
+  if (!tags.source.slices.empty())
+    source = {tags.source.frame(0).slope, tags.source.frame(0).intercept, tags.source.file(0).isSigned};
+  storedAsOne_ = volumen::storedAsOne(volume, source);
 }
 
 std::string DicomSliceWriter::withoutClass() const {
@@ -144,15 +167,26 @@ std::string DicomSliceWriter::withoutClass() const {
   return isCapture || isPet_ ? std::string() : modality;
 }
 
-const SliceOrigin* DicomSliceWriter::originOf(int k) const {
-  return tags_.source.slices.empty() ? nullptr : &tags_.origins[std::size_t(k)];
+// Returns the slices of the source that slice `k` is made of.
+std::vector<int> DicomSliceWriter::sourcesOf(int k) const {
+  if (tags_.source.slices.empty()) return {};
+  if (tags_.resampling) return tags_.resampling->sources[std::size_t(k)];
+  const SliceOrigin& origin = tags_.origins[std::size_t(k)];
+  return origin.isInterpolated() ? std::vector{origin.below, origin.above} : std::vector{origin.below};
 }
 
+// Returns how slice `k` is stored in its source; empty if it is made of several or has no source.
 std::optional<StoredAs> DicomSliceWriter::storedAs(int k) const {
-  const SliceOrigin* origin = originOf(k);
-  if (!origin || origin->isInterpolated()) return {};
-  const DicomSourceFrame& frame = tags_.source.frame(origin->below);
-  return StoredAs{frame.slope, frame.intercept, tags_.source.file(origin->below).isSigned};
+  const std::vector<int> sources = sourcesOf(k);
+  if (sources.size() != 1) return {};
+  const DicomSourceFrame& frame = tags_.source.frame(sources[0]);
+  return StoredAs{frame.slope, frame.intercept, tags_.source.file(sources[0]).isSigned};
+}
+
+// Slices of PET have a rescale each and may be rounded.
+std::optional<StoredSlice> DicomSliceWriter::pixels(int k) const {
+  if (storedAsOne_) return roundedSlice(volume_, k, *storedAsOne_);
+  return storedSlice(volume_, k, storedAs(k), isPet_);
 }
 
 // Identity and frame of reference are the same for all slices, even if single source files differ.
@@ -189,13 +223,32 @@ DicomElements DicomSliceWriter::seriesElements() const {
 }
 
 DicomElements DicomSliceWriter::sourceElements(int k) const {
-  const SliceOrigin* origin = originOf(k);
-  if (!origin) return {};
-  DicomElements all = common(byTag(tags_.source, origin->below), byTag(tags_.source, origin->above));
+  const std::vector<int> sources = sourcesOf(k);
+  if (tags_.resampling || sources.empty()) return ofAll_;
+  auto elements = byTag(tags_.source, sources.front());
+  if (sources.size() > 1) keepCommon(elements, byTag(tags_.source, sources.back()));
+  return withoutIdentity(flat(elements));
+}
+
+DicomElements DicomSliceWriter::withoutIdentity(DicomElements all) const {
   std::erase_if(all, [this](const DicomElement& e) {
     return e.depth == 0 && (e.tag == rescaleType || !valueOf(identity_, e.tag).empty());
   });
   return all;
+}
+
+// Returns the elements that all slices of the source agree on and that hold on any plane.
+DicomElements DicomSliceWriter::commonOfAll() const {
+  constexpr std::uint32_t ofTheirPlane[] = {0x0008103f,   // SeriesDescriptionCodeSequence
+                                            0x00181100,   // ReconstructionDiameter
+                                            0x00181120,   // GantryDetectorTilt
+                                            0x00181310,   // AcquisitionMatrix
+                                            0x00181312};  // InPlanePhaseEncodingDirection
+  if (tags_.source.slices.empty()) return {};
+  auto all = byTag(tags_.source, firstInTime(tags_.source));
+  for (int n = 0; n < int(tags_.source.slices.size()); ++n) keepCommon(all, byTag(tags_.source, n));
+  for (const std::uint32_t tag : ofTheirPlane) all.erase(tag);
+  return withoutIdentity(flat(all));
 }
 
 // Returns DERIVED\SECONDARY, followed by the source's values from the third on.
@@ -214,28 +267,33 @@ std::string DicomSliceWriter::imageType(const std::string& ofSource) const {
   if (modality == "CT" && (more.empty() || (more[0] != "AXIAL" && more[0] != "LOCALIZER")))
     more.insert(more.begin(), "AXIAL");
   if (modality == "MR" && more.empty()) more.emplace_back("OTHER");
+  if (tags_.resampling) more.push_back(tags_.resampling->imageType);
   for (const std::string& value : more) appendValue(type, value);
   return type;
 }
 
 DicomElements DicomSliceWriter::derivationOf(int k, const StoredSlice& pixels) const {
-  const SliceOrigin* origin = originOf(k);
-  if (!origin) return {};
-  std::string words = origin->isInterpolated() ? "Interpolated between the source images"
-                                               : "Values and place as in the source image";
+  const std::vector<int> sources = sourcesOf(k);
+  if (sources.empty() && !tags_.resampling) return {};
+  std::string words = sources.size() > 1 ? "Interpolated between the source images"
+                                         : "Values and place as in the source image";
+  if (tags_.resampling) words = tags_.resampling->words;
   char off[96] = "";
   if (pixels.largestError > 0)
     std::snprintf(off, sizeof off, ", rounded to 16 bits (at most %.3g off)", pixels.largestError);
   words += off;
   words += "; written by volumen " VOLUMEN_VERSION;
   std::vector<SourcePicture> pictures;
-  for (const int n : {origin->below, origin->above}) {
+  for (const int n : sources) {
     const DicomSourceFile& file = tags_.source.file(n);
     const int frame = file.isMultiFrame() ? int(tags_.source.slices[std::size_t(n)].frame) + 1 : 0;
-    pictures.push_back({file.sopClassUid, file.sopInstanceUid, frame});
-    if (!origin->isInterpolated()) break;
+    const bool isKnown = !pictures.empty() && pictures.back().sopInstanceUid == file.sopInstanceUid &&
+                         pictures.back().frame == frame;  // a mosaic holds many slices
+    if (!isKnown) pictures.push_back({file.sopClassUid, file.sopInstanceUid, frame});
   }
-  return derivation(words, pictures);
+  DicomElements all = derivation(words, pictures);
+  if (tags_.resampling) append(all, codeSequence(0x00089215, tags_.resampling->code, 0));
+  return all;
 }
 
 DicomElements DicomSliceWriter::placeElements(int k) const {
@@ -266,6 +324,10 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
   append(all, placeElements(k));
   append(all, derivationOf(k, pixels));
   append(all, padding(volume_, pixels));
+  if (tags_.resampling)
+    append(all, {{0x0008103e, tags_.description},
+                 {0x00180050, decimal(tags_.resampling->thicknessMm)},
+                 {0x00200011, tags_.seriesNumber}});
   if (isPet_) append(all, petCounts(k, volume_.size().z, valueOf(source, 0x00541000)));
   // MR Image Storage has no rescale; it is written nevertheless if it changes values.
   if (modality == "MR" && pixels.slope == 1 && pixels.intercept == 0) return all;

@@ -16,11 +16,9 @@ class DicomSliceWriter {
   /// Puts all elements of slice `k` except its pixels into a data set.
   void put(int k, const StoredSlice& pixels, DcmItem& into) const;
 
-  /// Returns how slice `k` is stored in its source; empty if it is interpolated or has no source.
-  std::optional<StoredAs> storedAs(int k) const;
+  /// Returns the pixels of slice `k`; empty if 16 bits cannot hold them and they may not be rounded.
+  std::optional<StoredSlice> pixels(int k) const;
 
-  /// True if values may be rounded: only for PET, where each slice has a rescale of its own.
-  bool mayRound() const { return isPet_; }
   /// Returns the modality if it has no storage class for single slices, so that Secondary Capture is written;
   /// else an empty string.
   std::string withoutClass() const;
@@ -32,7 +30,10 @@ class DicomSliceWriter {
   DicomElements derivedElements(int k, const StoredSlice& pixels, std::span<const DicomElement> source) const;
   DicomElements placeElements(int k) const;
   std::string imageType(const std::string& ofSource) const;
-  const SliceOrigin* originOf(int k) const;
+  std::vector<int> sourcesOf(int k) const;
+  std::optional<StoredAs> storedAs(int k) const;
+  DicomElements commonOfAll() const;
+  DicomElements withoutIdentity(DicomElements all) const;
   DicomElements derivationOf(int k, const StoredSlice& pixels) const;
 
   const Volume& volume_;
@@ -41,6 +42,8 @@ class DicomSliceWriter {
   DicomElements first_;  // elements of the first slice of the source
   bool isPet_ = false;
   DicomElements identity_, series_;
+  DicomElements ofAll_;                  // elements of all slices of the source, if slices are resampled
+  std::optional<StoredAs> storedAsOne_;  // of slices that are resampled, except for PET
 };
 
 }  // namespace volumen

@@ -1,0 +1,71 @@
+#include "app/exports/exports.h"
+
+#include <nlohmann/json.hpp>
+
+#include "app/open_volume.h"
+#include "app/progress.h"
+#include "io/export/dicom_series.h"
+#include "io/export/slice_stack.h"
+#include "io/export/study_object.h"
+#include "io/paths/open_path.h"
+
+namespace volumen {
+
+namespace {
+
+// A plane whose place is given is the only one.
+Result<SliceStack> stackOf(const ExportJob& job, const AskedPlane& asked, const VoxelGeometry& geometry) {
+  const auto plane = makePlane(job.plane, asked, geometry);
+  if (!plane) return plane.error();
+  const double distanceMm = job.spacingMm          ? *job.spacingMm
+                            : job.plane.slabMm > 0 ? job.plane.slabMm
+                                                   : wheelStep(geometry, plane->normal());
+  if (job.plane.at || job.plane.index || asked.centre) return SliceStack{*plane, 1, distanceMm};
+  return stackThrough(geometry, *plane, distanceMm);
+}
+
+std::string outsideNote(float outside, const Opened& opened) {
+  const bool isPadding = opened.loaded.drawn->attributes().padding.has_value();
+  return std::string("Pixels outside of the volume have ") +
+         (isPadding ? "the padding value" : "the lowest value") + ", " + nlohmann::json(outside).dump() + ".";
+}
+
+// Returns notes for the user.
+Result<std::vector<std::string>> writeStack(const Opened& opened, const SliceStack& stack, int seriesNumber,
+                                            const std::string& folder, const CancelToken& cancel) {
+  const Progress progress = terminalProgress();
+  const auto made = resampleStack(*opened.loaded.drawn, stack, progress, cancel);
+  if (!made) return made.error();
+  auto tags = readDicomTags(opened.series, opened.loaded, progress, cancel);
+  if (!tags) return tags.error();
+  auto notes =
+      writeDicomSeries(*made->volume, stackTags(*std::move(tags), opened.loaded, stack, seriesNumber), folder,
+                       progress, cancel);
+  if (notes && made->outside) notes->push_back(outsideNote(*made->outside, opened));
+  return notes;
+}
+
+}  // namespace
+
+Result<Exported> exportSeries(const ExportJob& job, const CancelToken& cancel) {
+  const auto asked = readPlane(job.plane);
+  if (!asked) return asked.error();
+  if (Status s = checkDicomFolder(job.output); !s) return s.error();
+  auto opened = openVolume(job.path, job.series, cancel);
+  if (!opened) return opened.error();
+  if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
+  noteEvenSlices(job.plane, *opened);
+  const auto stack = stackOf(job, *asked, opened->loaded.drawn->geometry());
+  if (!stack) return stack.error();
+  const Result<Study> study = openPath(job.path, {}, cancel);
+  if (!study) return study.error();
+  const int seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
+  const auto notes = writeStack(*opened, *stack, seriesNumber, job.output, cancel);
+  endTerminalProgress();
+  if (!notes) return notes.error();
+  Exported exported{opened->notes, opened->loaded.unread, {}};
+  exported.notes.insert(exported.notes.end(), notes->begin(), notes->end());
+  return exported;
+}
+
+}  // namespace volumen
