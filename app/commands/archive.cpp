@@ -2,18 +2,17 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "app/command.h"
 #include "app/commands/archive_receive.h"
 #include "app/progress.h"
+#include "app/send_files.h"
 #include "app/study_lines.h"
 #include "app/usage.h"
 #include "app/index_option.h"
 #include "io/archive/fetch_archive.h"
 #include "io/archive/fetched_studies.h"
 #include "io/archive/search_archive.h"
-#include "io/archive/send_archive.h"
 #include "io/paths/open_path.h"
 
 namespace volumen {
@@ -186,57 +185,22 @@ int fetch(const ArchiveOptions& options, const CancelToken& cancel) {
   return report->isAll() ? exitDone : exitLosses;
 }
 
-Json listJson(const std::vector<Refused>& files) {
-  Json list = Json::array();
-  for (const Refused& one : files) list.push_back({{"path", pathForJson(one.path)}, {"reason", one.reason}});
-  return list;
-}
-
-void print(const SendReport& report, const ArchiveOptions& options) {
-  if (options.json) {
-    std::cout << jsonText({{"instances", report.instances},
-                           {"sent", report.sent},
-                           {"failed", listJson(report.failed)},
-                           {"notDicom", listJson(report.notDicom)}});
-  } else {
-    std::cout << "Sent " << report.sent << " of " << report.instances << " instances to " << options.name;
-    if (const std::size_t others = report.notDicom.size(); others > 0)
-      std::cout << "; " << others << (others == 1 ? " file holds none" : " files hold none");
-    std::cout << '\n';
-  }
-}
-
-void tellReasons(const SendReport& report) {
-  std::set<std::string> reasons;
-  for (const Refused& one : report.failed)
-    if (reasons.insert(one.reason).second)
-      std::cerr << "volumen: " << printable(one.path + ": " + one.reason) << '\n';
-}
-
 int send(const ArchiveOptions& options, const CancelToken& cancel) {
-  const char* const interrupted = "Interrupted; what was sent stays in the archive.";
   const auto failedBecause = [&](const std::string& sentence) {
-    return failed(options, {{"sent", 0}}, cancel.cancelled() ? interrupted : sentence);
+    return failed(options, {{"sent", 0}}, sentence);
   };
   const auto archive = chosen(options);
   if (!archive) return failedBecause(archive.message());
   std::vector<std::string> files;
   for (const std::string& path : options.words) {
     const auto found = filesOfPath(path, terminalProgress(), cancel);
-    if (!found) return failedBecause(found.message());
+    if (!found) return failedBecause(cancel.cancelled() ? "Interrupted." : found.message());
     files.insert(files.end(), found->begin(), found->end());
   }
-  const auto report = sendToArchive(*archive, files, terminalProgress(), cancel);
-  endTerminalProgress();
+  const auto report = sendFiles(*archive, files, cancel);
   if (!report) return failedBecause(report.message());
-  if (report->instances == 0)
-    return failedBecause("There is nothing to send: " + (report->notDicom.empty()
-                                                             ? "no files were found."
-                                                             : report->notDicom.front().reason + "."));
-  print(*report, options);
-  if (cancel.cancelled()) return fail(interrupted);
-  tellReasons(*report);
-  return report->failed.empty() ? exitDone : report->sent > 0 ? exitLosses : exitFailed;
+  std::cout << (options.json ? jsonText(sentJson(*report)) : sentText(*report, *archive));
+  return tellSent(*report, cancel);
 }
 
 // A nested command; `run` is what archive runs if it is chosen.

@@ -7,6 +7,7 @@
 #include "app/exports/export_formats.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
+#include "app/send_files.h"
 #include "app/usage.h"
 #include "io/deidentify/deidentify_files.h"
 #include "io/deidentify/pseudonyms.h"
@@ -59,24 +60,28 @@ void noteSeries(const std::vector<std::string>& series, const char* what) {
   std::cerr << ".\n";
 }
 
-void print(const DeidentifyReport& report, const ExportOptions& options) {
-  if (options.json) {
-    std::cout << jsonText({{"folder", pathForJson(options.job.output)},
-                           {"written", report.written},
-                           {"alreadyThere", report.alreadyThere},
-                           {"twice", report.twice},
-                           {"notDicom", report.notDicom},
-                           {"leftOut", listOf(report.leftOut)},
-                           {"withText", report.withText},
-                           {"withFaces", report.withFaces},
-                           {"withoutSuv", report.withoutSuv}});
-  } else {
-    std::cout << "Wrote " << report.written << " files without identity";
-    if (report.alreadyThere > 0) std::cout << "; " << report.alreadyThere << " were there already";
-    if (report.twice > 0) std::cout << "; " << report.twice << " are copies of others";
-    if (report.notDicom > 0) std::cout << "; " << report.notDicom << " files are no DICOM";
-    std::cout << ": " << options.job.output << '\n';
+Json toJson(const DeidentifyReport& report) {
+  return {
+      {"written", report.written},     {"alreadyThere", report.alreadyThere}, {"twice", report.twice},
+      {"notDicom", report.notDicom},   {"leftOut", listOf(report.leftOut)},   {"withText", report.withText},
+      {"withFaces", report.withFaces}, {"withoutSuv", report.withoutSuv}};
+}
+
+void print(const DeidentifyReport& report, const std::string& folder, bool json) {
+  if (json) {
+    Json all{{"folder", pathForJson(folder)}};
+    all.update(toJson(report));
+    std::cout << jsonText(all);
+    return;
   }
+  std::cout << "Wrote " << report.written << " files without identity";
+  if (report.alreadyThere > 0) std::cout << "; " << report.alreadyThere << " were there already";
+  if (report.twice > 0) std::cout << "; " << report.twice << " are copies of others";
+  if (report.notDicom > 0) std::cout << "; " << report.notDicom << " files are no DICOM";
+  std::cout << ": " << folder << '\n';
+}
+
+void warn(const DeidentifyReport& report) {
   for (const Refused& one : report.leftOut)
     std::cerr << "volumen: " << one.path << " is left out: " << one.reason << ".\n";
   noteSeries(report.withText, "Names may be burned into the pixels, look at them");
@@ -95,38 +100,72 @@ void print(const std::vector<std::string>& files, const std::vector<std::string>
   std::cout << jsonText({{"file", list.front()}, {"files", list}, {"notes", notes}});
 }
 
+// Sends what was written for an archive. `written` is what the JSON says of it; `status`, how writing ended.
+int sendWritten(const OutputTarget& target, Json written, bool json, int status, const CancelToken& cancel) {
+  const auto files = filesOfPath(target.path(), {}, cancel);
+  if (!files) return fail(files.message(), cancel);
+  const auto report = sendFiles(*target.archive(), *files, cancel);
+  if (!report) return fail(report.message());
+  written["archive"] = {{"name", target.archive()->name}};
+  written["archive"].update(sentJson(*report));
+  std::cout << (json ? jsonText(written) : sentText(*report, *target.archive()));
+  const int sent = tellSent(*report, cancel);
+  return sent == exitDone ? status : sent;
+}
+
 int writeFormat(const ExportFormat& format, const ExportOptions& options, const CancelToken& cancel) {
-  const ExportJob& job = options.job;
   if (!options.kept.empty() || options.retained.shiftDays != 0 || !options.keyFile.empty())
     return failUsage("--keep, --shift-dates and --key go with --deidentify.");
+  const auto target = OutputTarget::of(options.job.output);
+  if (!target) return fail(target.message());
+  if (target->archive() && !format.isDicom)
+    return failUsage(std::string("--as ") + format.name +
+                     " writes no DICOM, which archives take: name a file.");
+  ExportJob job = options.job;
+  job.output = target->path();
   const Result<Exported> done = format.write(job, cancel);
   if (!done) return fail(done.message(), cancel);
   printNotes(done->notes);
+  const int status = statusWith(done->unread);
+  if (target->archive()) return sendWritten(*target, {{"notes", done->notes}}, options.json, status, cancel);
   print(done->files.empty() ? std::vector{job.output} : done->files, done->notes, options.json);
-  return statusWith(done->unread);
+  return status;
+}
+
+Result<Deidentification> deidentificationOf(const ExportOptions& options) {
+  Deidentification how{options.retained, {}};
+  for (const Kept& one : keepable)
+    how.retained.*one.member = std::ranges::find(options.kept, one.name) != options.kept.end();
+  const auto key = options.keyFile.empty() ? userPseudonymKey() : pseudonymKeyIn(options.keyFile);
+  if (!key) return key.error();
+  how.key = *key;
+  return how;
 }
 
 int deidentify(const ExportOptions& options, const CancelToken& cancel) {
   const ExportJob& job = options.job;
-  if (isWithin(job.output, job.path))
+  const auto target = OutputTarget::of(job.output);
+  if (!target) return fail(target.message());
+  if (!target->archive() && isWithin(job.output, job.path))
     return failUsage(job.output + " lies within " + job.path + ": name another folder.");
-  Deidentification how{options.retained, {}};
-  for (const Kept& one : keepable)
-    how.retained.*one.member = std::ranges::find(options.kept, one.name) != options.kept.end();
-  if (how.retained.dates && how.retained.shiftDays != 0)
+  const bool keepsDates = std::ranges::find(options.kept, "dates") != options.kept.end();
+  if (keepsDates && options.retained.shiftDays != 0)
     return failUsage("Dates are kept or shifted, not both: leave out \"dates\" or --shift-dates.");
-  const auto key = options.keyFile.empty() ? userPseudonymKey() : pseudonymKeyIn(options.keyFile);
-  if (!key) return fail(key.message());
-  how.key = *key;
+  const auto how = deidentificationOf(options);
+  if (!how) return fail(how.message());
   const auto files = filesOfPath(job.path, terminalProgress(), cancel);
   if (!files) return fail(files.message(), cancel);
-  const auto report = deidentifyFiles(*files, job.output, how, terminalProgress(), cancel);
+  const auto report = deidentifyFiles(*files, target->path(), *how, terminalProgress(), cancel);
   endTerminalProgress();
   if (!report) return fail(report.message(), cancel);
   const int done = report->written + report->alreadyThere;
   if (done == 0 && report->leftOut.empty()) return fail(job.path + " holds no DICOM files.");
-  print(*report, options);
-  return done == 0 ? exitFailed : report->leftOut.empty() ? exitDone : exitLosses;
+  warn(*report);
+  const int status = done == 0 ? exitFailed : report->leftOut.empty() ? exitDone : exitLosses;
+  if (target->archive() && done > 0)
+    return sendWritten(*target, toJson(*report), options.json, status, cancel);
+  print(*report, job.output, options.json);
+  return status;
 }
 
 int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) {
@@ -149,8 +188,10 @@ std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
   auto options = std::make_shared<ExportOptions>();
   ExportJob& job = options->job;
   addPath(app, job.path)->required();
-  app.add_option("-o,--output", job.output,
-                 "The file to write (--as), or the folder (--deidentify); files that are there stay")
+  app.add_option(
+         "-o,--output", job.output,
+         "The file to write (--as), or the folder (--as series, --deidentify); files that are there stay. "
+         "Or archive:NAME: what is written is sent there, and kept nowhere else")
       ->type_name("FILE")
       ->required();
   std::vector<std::string> formats;

@@ -16,6 +16,7 @@ struct ExportFormat {
   std::vector<const char*> takes;  ///< other options
   Result<Exported> (*write)(const ExportJob& job, const CancelToken& cancel);
   Status (*check)(const ExportJob& job) = nullptr;  ///< of the options before anything is read
+  bool isDicom = true;                              ///< archives take it
 };
 
 /// Returns all formats.

@@ -68,6 +68,19 @@ bool QrPeer::start(const QStringList& options) {
   return listensAt(port_);
 }
 
+StorePeer::StorePeer(const QStringList& options) : port_(freePort()) {
+  process_.setStandardOutputFile(QProcess::nullDevice());
+  process_.setStandardErrorFile(QProcess::nullDevice());
+  process_.start(QStringLiteral("storescp"),
+                 options + QStringList{QStringLiteral("-od"), folder_.path(), QString::number(port_)});
+  isListening = listensAt(port_);
+}
+
+StorePeer::~StorePeer() {
+  process_.kill();
+  process_.waitForFinished();
+}
+
 FakePeer::FakePeer(std::function<void(QTcpSocket&)> answer) : answer_(std::move(answer)), port_(freePort()) {
   start();
   while (!listening_) msleep(1);

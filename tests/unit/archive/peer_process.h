@@ -36,6 +36,22 @@ class QrPeer {
   const int port_, ourPort_;
 };
 
+/// A peer on this machine that stores what it gets: DCMTK's storescp, with options of it.
+class StorePeer {
+ public:
+  explicit StorePeer(const QStringList& options = {});
+  ~StorePeer();
+  int port() const { return port_; }
+  QString folder() const { return folder_.path(); }
+
+  bool isListening = false;
+
+ private:
+  QTemporaryDir folder_;
+  QProcess process_;
+  const int port_;
+};
+
 /// A peer that is no archive: `answer` gets each connection, one after the other.
 class FakePeer : public QThread {
  public:

@@ -47,31 +47,6 @@ QByteArray web(const QByteArray& url, const QByteArray& more = {}) {
   return R"({"name": "to", "kind": "dicomweb", "url": ")" + url + '"' + more + '}';
 }
 
-// A peer that stores what it gets.
-class StorePeer {
- public:
-  explicit StorePeer(const QStringList& options) : port_(freePort()) {
-    process_.setStandardOutputFile(QProcess::nullDevice());
-    process_.setStandardErrorFile(QProcess::nullDevice());
-    process_.start(QStringLiteral("storescp"),
-                   options + QStringList{QStringLiteral("-od"), folder_.path(), QString::number(port_)});
-    isListening = listensAt(port_);
-  }
-  ~StorePeer() {
-    process_.kill();
-    process_.waitForFinished();
-  }
-  int port() const { return port_; }
-  QStringList files() const { return filesBelow(folder_.path()); }
-
-  bool isListening = false;
-
- private:
-  QTemporaryDir folder_;
-  QProcess process_;
-  const int port_;
-};
-
 // The SOP Instance UIDs in a request of STOW-RS.
 QList<QByteArray> uidsSent(const QByteArray& body) {
   QList<QByteArray> uids;
@@ -151,11 +126,11 @@ void TestArchiveSend::whatIsSentIsDecompressedWhereAPeerTakesNoOther() {
   for (const StorePeer* peer : {&all, &plain}) {
     const Outcome sent = archive(dimse(peer->port()), {QStringLiteral("send"), QStringLiteral("to"), packed});
     QVERIFY2(sent.status == 0, sent.err);
-    QCOMPARE(peer->files().size(), 1);
-    QVERIFY(instanceIn(peer->files()[0]) == instanceIn(files_[0]));
+    QCOMPARE(filesBelow(peer->folder()).size(), 1);
+    QVERIFY(instanceIn(filesBelow(peer->folder())[0]) == instanceIn(files_[0]));
   }
-  QCOMPARE(contentsOf(all.files()[0]).contains("1.2.840.10008.1.2.4.80"), true);
-  QCOMPARE(contentsOf(plain.files()[0]).contains("1.2.840.10008.1.2.4.80"), false);
+  QCOMPARE(contentsOf(filesBelow(all.folder())[0]).contains("1.2.840.10008.1.2.4.80"), true);
+  QCOMPARE(contentsOf(filesBelow(plain.folder())[0]).contains("1.2.840.10008.1.2.4.80"), false);
 }
 
 void TestArchiveSend::onlyWhatAnAnswerNamesIsSent_data() {

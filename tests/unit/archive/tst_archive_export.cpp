@@ -1,0 +1,133 @@
+// Guards `volumen export -o archive:NAME`: what is written is sent to the archive, and nothing of it stays
+// here.
+#include <dcmtk/config/osconfig.h>
+#include <dcmtk/dcmdata/dctk.h>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include "tests/fixtures/program.h"
+#include "tests/unit/archive/archived_studies.h"
+#include "tests/unit/archive/peer_process.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+class TestArchiveExport : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase();
+  void whatIsWrittenIsSent_data();
+  void whatIsWrittenIsSent();
+  void whatIsNotTakenIsTold();
+  void wrongNamesAreRefusedAtOnce_data();
+  void wrongNamesAreRefusedAtOnce();
+  void cleanup();
+
+ private:
+  // Runs the command with an archive "to" at this port.
+  Outcome exported(int port, const QString& source, const QString& options) const;
+  QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
+
+  QTemporaryDir folder_;
+};
+
+void TestArchiveExport::initTestCase() {
+  if (!QrPeer::isInstalled()) QSKIP("storescp is not installed (package dcmtk)");
+  const Outcome a = runProgram(
+      {QStringLiteral("convert"), QStringLiteral("phantom:ct-head:24"), QStringLiteral("-o"), at("scans/")});
+  QVERIFY2(a.status == 0, a.err);
+  for (const char* name : {"volumen", "temporary"}) QVERIFY(QDir(folder_.path()).mkdir(QLatin1String(name)));
+  QFile shapes(at("shapes.json"));
+  QVERIFY(shapes.open(QIODevice::WriteOnly) &&
+          shapes.write(R"([{"kind": "length", "points": [[0, 0, 0], [10, 0, 0]]}])") > 0);
+  qputenv("XDG_CONFIG_HOME", folder_.path().toUtf8());
+  qputenv("TMPDIR", at("temporary").toUtf8());
+}
+
+// The temporary folder is gone in every case.
+void TestArchiveExport::cleanup() {
+  QVERIFY(QDir(at("temporary")).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
+}
+
+Outcome TestArchiveExport::exported(int port, const QString& source, const QString& options) const {
+  QFile list(at("volumen/archives.json"));
+  if (list.open(QIODevice::WriteOnly))
+    list.write(R"({"archives": [{"name": "to", "kind": "dimse", "host": "127.0.0.1", "port": )" +
+               QByteArray::number(port) + R"(, "calledAe": "ANY"}]})");
+  list.close();
+  const QString given = QString(options).replace(QLatin1String("SHAPES"), at("shapes.json"));
+  return runProgram(QStringList{QStringLiteral("export"), source} + given.split(QLatin1Char(' ')));
+}
+
+void TestArchiveExport::whatIsWrittenIsSent_data() {
+  QTest::addColumn<QString>("options");
+  QTest::addColumn<int>("instances");
+  QTest::addColumn<QByteArray>("modality");
+  QTest::newRow("a report") << QStringLiteral("--as sr --roi SHAPES") << 1 << QByteArray("SR");
+  QTest::newRow("a series") << QStringLiteral("--as series --plane coronal --at 0") << 1 << QByteArray("CT");
+  QTest::newRow("copies without identity")
+      << QStringLiteral("--deidentify") << int(filesBelow(at("scans")).size()) << QByteArray("CT");
+}
+
+void TestArchiveExport::whatIsWrittenIsSent() {
+  QFETCH(QString, options);
+  QFETCH(int, instances);
+  QFETCH(QByteArray, modality);
+  const StorePeer peer;
+  QVERIFY(peer.isListening);
+  const int known = int(filesBelow(at("scans")).size());
+  const Outcome sent = exported(peer.port(), at("scans"), options + QStringLiteral(" -o archive:to"));
+  QVERIFY2(sent.status == 0, sent.err);
+  QCOMPARE(sent.out,
+           QByteArray("Sent %1 of %1 instances to to\n").replace("%1", QByteArray::number(instances)));
+  const QStringList kept = filesBelow(peer.folder());
+  QCOMPARE(kept.size(), instances);
+  QCOMPARE(filesBelow(at("scans")).size(), known);
+  DcmFileFormat file;
+  QVERIFY(file.loadFile(OFFilename(kept[0].toUtf8().constData())).good());
+  OFString value;
+  QVERIFY(file.getDataset()->findAndGetOFString(DCM_Modality, value).good());
+  QCOMPARE(QByteArray(value.c_str()), modality);
+}
+
+void TestArchiveExport::whatIsNotTakenIsTold() {
+  const StorePeer peer({QStringLiteral("--abort-during")});
+  QVERIFY(peer.isListening);
+  const QString options = QStringLiteral("--as series --plane coronal --at 0 --json -o archive:to");
+  const Outcome sent = exported(peer.port(), at("scans"), options);
+  QCOMPARE(sent.status, 1);
+  QVERIFY2(sent.err.contains("ended the connection."), sent.err);
+  const QJsonObject told = QJsonDocument::fromJson(sent.out).object()[QStringLiteral("archive")].toObject();
+  QCOMPARE(told[QStringLiteral("name")].toString(), QStringLiteral("to"));
+  QCOMPARE(told[QStringLiteral("instances")].toInt(), 1);
+  QCOMPARE(told[QStringLiteral("sent")].toInt(-1), 0);
+}
+
+void TestArchiveExport::wrongNamesAreRefusedAtOnce_data() {
+  QTest::addColumn<QString>("options");
+  QTest::addColumn<int>("status");
+  QTest::addColumn<QByteArray>("says");
+  QTest::newRow("an unknown archive")
+      << QStringLiteral("--as series -o archive:other") << 1 << QByteArray("There is no archive \"other\"");
+  QTest::newRow("an unknown archive for copies")
+      << QStringLiteral("--deidentify -o archive:other") << 1 << QByteArray("There is no archive \"other\"");
+  QTest::newRow("a study") << QStringLiteral("--as series -o archive:to/1.2") << 1
+                           << QByteArray("There is no archive \"to/1.2\"");
+  QTest::newRow("surfaces") << QStringLiteral("--as stl --segments none -o archive:to") << 2
+                            << QByteArray("--as stl writes no DICOM");
+}
+
+// PATH is not there: so nothing was read.
+void TestArchiveExport::wrongNamesAreRefusedAtOnce() {
+  QFETCH(QString, options);
+  QFETCH(QByteArray, says);
+  const Outcome a = exported(1, at("nowhere"), options);
+  QTEST(a.status, "status");
+  QVERIFY2(a.err.contains(says) && !a.err.contains("nowhere"), a.err);
+}
+
+VOLUMEN_TEST(TestArchiveExport);
+#include "tst_archive_export.moc"
