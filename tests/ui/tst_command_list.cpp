@@ -317,7 +317,8 @@ void TestCommandList::otherWordsFindIt_data() {
   row("high", "Quality high");
   row("anonymise", "Hide names");
   row("anonymize", "Hide names");
-  row("report", "Key images as pages...");
+  row("report", "Report of key images and measurements...");
+  row("findings", "Report of key images and measurements...");
   row("video", "Stack as pictures...");
   row("calibrate", "True size");
   row("print", "Print picture...");

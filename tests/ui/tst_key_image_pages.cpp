@@ -362,7 +362,8 @@ void TestKeyImagePages::withoutKeyImagesThereIsASentence() {
   MeasureWindow w(dicomBall());
   QVERIFY(!ask(w, 6, false));
   QCOMPARE(w.child<Banner>("banner")->sentence(),
-           QStringLiteral("There are no key images: K marks the picture that is shown."));
+           QStringLiteral("There are no key images, measurements or segments: mark a picture with K, measure "
+                          "with D, or make a segment."));
 }
 
 VOLUMEN_TEST(TestKeyImagePages);

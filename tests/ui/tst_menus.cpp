@@ -81,7 +81,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "More pictures >; Save 3D snapshot...; Copy 3D snapshot; Export...; Send to archive...; |; Quit");
   row("&File/More pictures",
       "Picture of any size...; Stack as pictures...; Contact sheet...; |; "
-      "Key images as pages...");
+      "Report of key images and measurements...");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
       "Show as frames; Each image its own window; Overlays and shutters; Play or stop; Go to number...; |; "

@@ -18,20 +18,6 @@ Reports shared(std::vector<SegmentReport> reports) {
   return std::make_shared<const std::vector<SegmentReport>>(std::move(reports));
 }
 
-Reports voxelReportsOf(const SegmentReportsKey& key, const CancelToken& cancel) {
-  std::vector<SegmentReport> all;
-  for (const SegmentMap& map : key.maps) {
-    auto reports = voxelReports(map.segments, *map.labels, *key.volume, cancel);
-    if (!reports) return reports.error();
-    for (SegmentReport& report : *reports) {
-      report.map = map.number;
-      report.made = madeText(report.segment, map.steps);
-    }
-    std::ranges::move(*reports, std::back_inserter(all));
-  }
-  return shared(std::move(all));
-}
-
 // The job reports which segment is measured.
 Reports withSurfaces(std::vector<SegmentReport> all, const SegmentReportsKey& key, bool withPeaks,
                      const Job& job) {
@@ -61,6 +47,20 @@ bool SegmentReportsKey::operator==(const SegmentReportsKey& other) const {
          std::ranges::equal(maps, other.maps, holdTheSame);
 }
 
+Result<std::vector<SegmentReport>> voxelReportsOf(const SegmentReportsKey& key, const CancelToken& cancel) {
+  std::vector<SegmentReport> all;
+  for (const SegmentMap& map : key.maps) {
+    auto reports = voxelReports(map.segments, *map.labels, *key.volume, cancel);
+    if (!reports) return reports.error();
+    for (SegmentReport& report : *reports) {
+      report.map = map.number;
+      report.made = madeText(report.segment, map.steps);
+    }
+    std::ranges::move(*reports, std::back_inserter(all));
+  }
+  return all;
+}
+
 SegmentReportsKey segmentReportsKey(const Session& session, bool withSurfaces) {
   return {copiesOf(allSegmentsShown(session)), wholeVolume(session), withSurfaces};
 }
@@ -72,7 +72,11 @@ SegmentReports::Rule segmentReportsRule(const Session& session, const SegmentPai
             return {segmentReportsKey(session, false), segmentReportsKey(session, true)};
           },
           .work = [&session, &reports](const SegmentReportsKey& key, std::size_t) -> SegmentReports::Work {
-            if (!key.withSurfaces) return [key](const Job& job) { return voxelReportsOf(key, job.cancel()); };
+            if (!key.withSurfaces)
+              return [key](const Job& job) -> Reports {
+                auto made = voxelReportsOf(key, job.cancel());
+                return made ? shared(*std::move(made)) : made.error();
+              };
             SegmentReportsKey first = key;
             first.withSurfaces = false;
             const SegmentReports::Entry voxels = *reports.find(first);

@@ -26,6 +26,9 @@ using SegmentReports = Derivation<SegmentReportsKey, std::vector<SegmentReport>>
 /// Returns the inputs for the segments in the Segments panel.
 SegmentReportsKey segmentReportsKey(const Session& session, bool withSurfaces);
 
+/// Returns the reports without surfaces. The Error: cancelled, or too little memory. Slow.
+Result<std::vector<SegmentReport>> voxelReportsOf(const SegmentReportsKey& key, const CancelToken& cancel);
+
 /// Returns the rule for the reports of these segments while `isOpen`: first without surfaces, then with
 /// them. Strokes are included once they end. `reports` is the derivation that follows this rule.
 SegmentReports::Rule segmentReportsRule(const Session& session, const SegmentPainter& painter,

@@ -45,16 +45,6 @@ std::set<SeriesKey> seriesSeen(const PictureStop& stop) {
   return seen;
 }
 
-// Returns a session with what the view of a stop needs.
-std::unique_ptr<Session> sessionOf(const PictureStop& stop, PictureLook::Size size) {
-  auto copy = std::make_unique<Session>();
-  copy->prefer(stop.preferences);
-  copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
-  for (const auto& [key, held] : stop.held) copy->pool().put({key, stop.workspace.series.at(key).mask}, held);
-  copy->open({}, workspaceOf(stop, size));
-  return copy;
-}
-
 class FlatPictures : public QObject, public PictureMaker {
  public:
   FlatPictures(const ViewGrid& grid, std::vector<PictureStop> stops, const PictureLook& look);
@@ -112,7 +102,9 @@ void FlatPictures::make(std::size_t n, JobLane& lane, const Done& done) {
   const PictureStop& stop = stops_[at_];
   view_.reset();
   measurer_.reset();
-  copy_ = sessionOf(stop, look_.size);
+  PictureStop laidOut = stop;
+  laidOut.workspace = workspaceOf(stop, look_.size);
+  copy_ = sessionOf(laidOut);
   measurer_ = std::make_unique<MeasuredNumbers>(*copy_, frames_);
   view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view, highlights_);
   isPrepared_ = false;
@@ -216,6 +208,16 @@ PictureStop heldNow(PictureStop stop, const Session& session) {
       stop.held[key] = std::move(series);
   }
   return stop;
+}
+
+std::unique_ptr<Session> sessionOf(const PictureStop& stop) {
+  const HidingNames asOnScreen(namesHidden());  // prefer() sets it for the whole program
+  auto copy = std::make_unique<Session>();
+  copy->prefer(stop.preferences);
+  copy->pool().setBudget(std::numeric_limits<std::size_t>::max());
+  for (const auto& [key, held] : stop.held) copy->pool().put({key, stop.workspace.series.at(key).mask}, held);
+  copy->open({}, stop.workspace);
+  return copy;
 }
 
 PictureMakerPtr flatPictures(const ViewGrid& grid, std::vector<PictureStop> stops, const PictureLook& look) {

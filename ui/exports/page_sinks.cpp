@@ -21,11 +21,13 @@ struct KeptPages {
   struct Page {
     PictureLabel label;  // of its first picture
     std::vector<Picture> pictures;
+    std::vector<PageTable> tables = {};  // divided before they are painted
   };
   std::vector<Page> pages;
 
   void add(const MadePicture& picture, int perPage) {
     const PictureLabel& label = picture.label;
+    if (!picture.tables.empty()) return pages.push_back({label, {}, picture.tables});
     if (pages.empty() || label.group != pages.back().label.group ||
         int(pages.back().pictures.size()) == perPage)
       pages.push_back({label, {}});
@@ -36,16 +38,28 @@ struct KeptPages {
         {png, {{}, picture.mmPerPixel, label.caption, picture.overlays.lengthsWord}});
   }
 
+  // Returns the pages as they are on this device, where tables may take several.
+  std::vector<Page> onDevice(QPagedPaintDevice& device) const {
+    std::vector<Page> all;
+    for (const Page& page : pages) {
+      if (page.tables.empty()) all.push_back(page);
+      for (std::vector<PageTable>& tables : tablesOnPages(page.tables, page.label.head, device))
+        all.push_back({page.label, {}, std::move(tables)});
+    }
+    return all;
+  }
+
   Status paint(QPagedPaintDevice& device, const PageLook& look) const {
-    const auto pageAt = [this](std::size_t n) {
-      PicturePage page{pages[n].label.head, {}};
-      for (const Picture& picture : pages[n].pictures) {
+    const std::vector<Page> all = onDevice(device);
+    const auto pageAt = [&all](std::size_t n) {
+      PicturePage page{all[n].label.head, {}, all[n].tables};
+      for (const Picture& picture : all[n].pictures) {
         page.pictures.push_back(picture.rest);
         page.pictures.back().image = QImage::fromData(picture.png, "PNG");
       }
       return page;
     };
-    return paintPages(device, {pages.size(), pageAt}, look);
+    return paintPages(device, {all.size(), pageAt}, look);
   }
 };
 

@@ -8,6 +8,7 @@
 #include "io/files/picture_file.h"
 #include "results/pictures/overlays.h"
 #include "ui/document/job_lane.h"
+#include "ui/overlays/page_tables.h"
 #include "ui/workspace/picture_look.h"
 
 namespace volumen {
@@ -19,6 +20,7 @@ struct MadePicture {
   PictureLabel label = {};
   Overlays overlays = {};                 ///< texts of a flat view, drawn over the picture or not
   std::optional<double> mmPerPixel = {};  ///< of the image; empty if it is not calibrated
+  std::vector<PageTable> tables = {};     ///< of pages, in place of the image
 };
 
 /// Makes the pictures of one export. It holds everything they show as it was when the export was requested,

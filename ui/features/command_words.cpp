@@ -25,7 +25,7 @@ const std::map<QString, QString>& table() {
       {QStringLiteral("copyPicture"), QObject::tr("screenshot clipboard capture")},
       {QStringLiteral("printPicture"), QObject::tr("printer paper film PDF")},
       {QStringLiteral("saveStack"), QObject::tr("video movie film export series images")},
-      {QStringLiteral("keyImagePages"), QObject::tr("report print PDF film paper")},
+      {QStringLiteral("keyImagePages"), QObject::tr("findings letter table print PDF film paper pages")},
       {QStringLiteral("snapshot"), QObject::tr("screenshot export image high resolution")},
       {QStringLiteral("snapshotDock"), QObject::tr("video movie film turntable rotation export resolution")},
       {QStringLiteral("measurementsDock"), QObject::tr("report results export CSV table ROI list")},

@@ -3,6 +3,7 @@
 
 #include "results/text/text.h"
 #include "ui/exports/flat_pictures.h"
+#include "ui/exports/report_maker.h"
 #include "ui/features/exporting.h"
 #include "ui/panels/pages_dialog.h"
 #include "ui/workspace/key_image_list.h"
@@ -20,26 +21,28 @@ struct MarkedImage {
   PictureStop stop;  // PictureLabel::group is its study
 };
 
-// Puts all key images on pages, one study a page, as PDF or on paper.
+// All that a report may state, as it was when it was requested.
+struct Report {
+  std::vector<MarkedImage> marked;  // study after study
+  std::vector<ReportedStudy> studies;
+};
+
+// Puts all key images, measurements and segments on pages, one study after another, as PDF or on paper.
 class KeyImagePages : public ExportFeature {
  public:
   explicit KeyImagePages(Workbench& bench);
 
  private:
   void ask();
-  std::vector<MarkedImage> marked() const;
+  Report reportNow() const;
   PictureMakerPtr pictures(const std::vector<MarkedImage>& marked, bool namesHidden) const;
-  void askWhere(const PictureMakerPtr& pictures, const PageLook& look, bool isForPaper);
+  PictureMakerPtr chosen(Report report, const PagesDialog& dialog) const;
+  void askWhere(const PictureMakerPtr& pages, const PageLook& look, bool isForPaper);
 };
-
-// Returns whether two series belong to one study and share a page head.
-bool areOneStudy(const Series& a, const Series& b) {
-  return a.patientId == b.patientId && a.patientName == b.patientName && a.studyUid == b.studyUid;
-}
 
 KeyImagePages::KeyImagePages(Workbench& bench) : ExportFeature(bench, tr("pages that are being made")) {
   bench_.addAction({"keyImagePages",
-                    tr("Key images as pages..."),
+                    tr("Report of key images and measurements..."),
                     {},
                     "",
                     false,
@@ -47,32 +50,37 @@ KeyImagePages::KeyImagePages(Workbench& bench) : ExportFeature(bench, tr("pages 
                     {{"picturesMenu", 20}}});
 }
 
-// Asks for options for the present key images.
 void KeyImagePages::ask() {
-  const std::vector<MarkedImage> marked = this->marked();
-  if (marked.empty()) return warn(tr("There are no key images: K marks the picture that is shown."));
-  auto* dialog = new PagesDialog(int(marked.size()), bench_.dialogParent());
-  connect(dialog, &QDialog::accepted, this, [this, dialog, marked] {
-    askWhere(pictures(marked, dialog->namesHidden()), dialog->look(), dialog->isForPaper());
+  const Report report = reportNow();
+  if (report.studies.empty())
+    return warn(
+        tr("There are no key images, measurements or segments: mark a picture with K, measure with D, or "
+           "make a segment."));
+  auto* dialog = new PagesDialog(
+      {int(report.marked.size()), measurementCount(report.studies), segmentCount(report.studies)},
+      bench_.dialogParent());
+  connect(dialog, &QDialog::accepted, this, [this, dialog, report] {
+    askWhere(chosen(report, *dialog), dialog->look(), dialog->isForPaper());
   });
   dialog->open();
 }
 
 // Sorts the key images by study, otherwise in the order of the list.
-std::vector<MarkedImage> KeyImagePages::marked() const {
+Report KeyImagePages::reportNow() const {
   const Workspace& workspace = session_.workspace();
-  std::vector<MarkedImage> marked;
+  Report report;
   for (const KeyImageGroup& group : listKeyImages(workspace, bench_.document.derived.all(), open_.pictures()))
     for (const ListedKeyImage& image : group.pictures) {
       const LoadedSeriesPtr held = session_.seriesNamed(keyOf(*image.series));
       PictureStop stop = heldNow(viewOfKeyImage(workspace, image, held), session_);
-      const auto same = std::ranges::find_if(
-          marked, [&](const MarkedImage& one) { return areOneStudy(*one.image.series, *image.series); });
-      stop.label.group = same == marked.end() ? int(marked.size()) : same->stop.label.group;
-      marked.push_back({image, group.isDocument ? group.name : QString(), std::move(stop)});
+      const std::size_t study = studyOf(report.studies, image.series);
+      ++report.studies[study].pictures;
+      stop.label.group = int(study);
+      report.marked.push_back({image, group.isDocument ? group.name : QString(), std::move(stop)});
     }
-  std::ranges::stable_sort(marked, {}, [](const MarkedImage& one) { return one.stop.label.group; });
-  return marked;
+  std::ranges::stable_sort(report.marked, {}, [](const MarkedImage& one) { return one.stop.label.group; });
+  addNumbers(report.studies, session_, bench_.document.measurer);
+  return report;
 }
 
 PictureMakerPtr KeyImagePages::pictures(const std::vector<MarkedImage>& marked, bool namesHidden) const {
@@ -91,14 +99,24 @@ PictureMakerPtr KeyImagePages::pictures(const std::vector<MarkedImage>& marked, 
   return flatPictures(grid_, std::move(stops), look);
 }
 
-void KeyImagePages::askWhere(const PictureMakerPtr& pictures, const PageLook& look, bool isForPaper) {
-  const auto make = [this, pictures](const PictureSink& sink) { run({tr("Making pages"), pictures, sink}); };
+// Returns the pages with what the dialog leaves in.
+PictureMakerPtr KeyImagePages::chosen(Report report, const PagesDialog& dialog) const {
+  for (ReportedStudy& study : report.studies) {
+    if (!dialog.withMeasurements()) study.measurements.clear();
+    if (!dialog.withSegments()) study.segments.clear();
+  }
+  return reportPages(pictures(report.marked, dialog.namesHidden()), report.studies, session_,
+                     dialog.namesHidden());
+}
+
+void KeyImagePages::askWhere(const PictureMakerPtr& pages, const PageLook& look, bool isForPaper) {
+  const auto make = [this, pages](const PictureSink& sink) { run({tr("Making pages"), pages, sink}); };
   if (isForPaper)
     return askForPrinter("pagesPrintDialog", nullptr,
                          [=](const auto& printer) { make(printedPages(printer, look)); });
-  askForPath({"pagesFileDialog", tr("Save the pages"), tr("PDF documents (*.pdf)"), tr("key images.pdf"),
+  askForPath({"pagesFileDialog", tr("Save the report"), tr("PDF documents (*.pdf)"), tr("report.pdf"),
               QFileDialog::AnyFile, QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation)},
-             [=](const QString& path) { make(pdfPages(path, tr("Key images"), look)); });
+             [=](const QString& path) { make(pdfPages(path, tr("Report"), look)); });
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "ui/overlays/picture_pages.h"
 
+#include <QDate>
 #include <QPagedPaintDevice>
 #include <QPainter>
 #include <algorithm>
@@ -20,14 +21,22 @@ double headHeight(const PicturePage& page) {
   return double(std::max<qsizetype>(2, page.head.size())) * headText * lineSpacing + headGap;
 }
 
-constexpr double captionHeight = 2 * captionText * lineSpacing + 1;
+constexpr double captionHeight = 2 * captionText * lineSpacing + 1,
+                 footHeight = captionText * lineSpacing + 1;
+
+// The room between header and foot.
+QRectF middleOf(const PicturePage& page, QSizeF paperMm) {
+  const double top = headHeight(page);
+  return {0, top, paperMm.width(), paperMm.height() - top - footHeight};
+}
 
 QRectF cellOf(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm) {
   const QSize grid = pageGrid(look.perPage, paperMm);
-  const double top = headHeight(page);
-  const double width = (paperMm.width() - (grid.width() - 1) * cellGap) / grid.width();
-  const double height = (paperMm.height() - top - (grid.height() - 1) * cellGap) / grid.height();
-  return {n % grid.width() * (width + cellGap), top + n / grid.width() * (height + cellGap), width, height};
+  const QRectF room = middleOf(page, paperMm);
+  const double width = (room.width() - (grid.width() - 1) * cellGap) / grid.width();
+  const double height = (room.height() - (grid.height() - 1) * cellGap) / grid.height();
+  return {n % grid.width() * (width + cellGap), room.top() + n / grid.width() * (height + cellGap), width,
+          height};
 }
 
 QSizeF roomIn(const QRectF& cell) { return {cell.width(), cell.height() - captionHeight}; }
@@ -51,6 +60,11 @@ class PagePainter {
 
   void image(const QImage& image, const QRectF& mm) { painter_.drawImage(dots(mm), image); }
 
+  void tables(const std::vector<PageTable>& tables, const QRectF& room) {
+    paintTables(painter_, tables, room.top(), room.size());
+    painter_.setPen(Qt::black);
+  }
+
   // Elides text that is too long.
   void line(const QString& text, QPointF mm, double widthMm, double heightMm, Qt::Alignment alignment) {
     QFont font = pictureFont();
@@ -69,6 +83,15 @@ class PagePainter {
   double dotsPerMm_;
 };
 
+// Returns "volumen 0.1.0, 2026-03-14".
+QString madeByText() {
+  return QStringLiteral("volumen " VOLUMEN_VERSION ", %1").arg(QDate::currentDate().toString(Qt::ISODate));
+}
+
+QSizeF paperOf(const QPagedPaintDevice& device) {
+  return device.pageLayout().paintRect(QPageLayout::Millimeter).size();
+}
+
 void paintPicturePage(PagePainter& painter, const PicturePage& page, const QString& number,
                       const PageLook& look, QSizeF paperMm) {
   const double numberWidth = std::min(50.0, paperMm.width() / 3);
@@ -76,7 +99,10 @@ void paintPicturePage(PagePainter& painter, const PicturePage& page, const QStri
   for (qsizetype n = 0; n < page.head.size(); ++n)
     painter.line(page.head[n], {0, double(n) * line}, left - headGap, headText, Qt::AlignLeft);
   painter.line(number, {left, 0}, numberWidth, headText, Qt::AlignRight);
-  painter.line(tr("Not for clinical use"), {left, line}, numberWidth, captionText, Qt::AlignRight);
+  const double foot = paperMm.height() - captionText * lineSpacing, half = paperMm.width() / 2;
+  painter.line(tr("Not for clinical use"), {0, foot}, half, captionText, Qt::AlignLeft);
+  painter.line(madeByText(), {half, foot}, half, captionText, Qt::AlignRight);
+  painter.tables(page.tables, middleOf(page, paperMm));
   for (int n = 0; n < int(page.pictures.size()); ++n) {
     const PagePicture& picture = page.pictures[std::size_t(n)];
     painter.image(picture.image, pagePlace(page, n, look, paperMm));
@@ -130,9 +156,14 @@ QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF p
   return picture.lengthsWord.isEmpty() ? tr("True size") : tr("True size (%1)").arg(picture.lengthsWord);
 }
 
+std::vector<std::vector<PageTable>> tablesOnPages(const std::vector<PageTable>& tables,
+                                                  const QStringList& head, QPagedPaintDevice& device) {
+  return dividedTables(tables, middleOf({head, {}}, paperOf(device)).size(), device);
+}
+
 Status paintPages(QPagedPaintDevice& device, const PageSource& pages, const PageLook& look) {
   const Error cannot{tr("The printer or its file cannot be written to.").toStdString()};
-  const QSizeF paperMm = device.pageLayout().paintRect(QPageLayout::Millimeter).size();
+  const QSizeF paperMm = paperOf(device);
   QPainter painter;
   if (!painter.begin(&device)) return cannot;
   PagePainter pagePainter(painter, device.logicalDpiX() / 25.4);

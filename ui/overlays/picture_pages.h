@@ -7,6 +7,7 @@
 #include <optional>
 #include <vector>
 
+#include "ui/overlays/page_tables.h"
 #include "viewer/volume/result.h"
 
 class QPagedPaintDevice;
@@ -24,10 +25,11 @@ struct PagePicture {
   QString lengthsWord = {};  ///< the meaning of its mm: "at detector"; empty: patient mm
 };
 
-/// The images on one page, and the left-aligned header lines above them.
+/// The images or tables on one page, and the left-aligned header lines above them.
 struct PicturePage {
   QStringList head;
   std::vector<PagePicture> pictures;
+  std::vector<PageTable> tables = {};
 };
 
 /// Pages that are made one at a time, when they are painted.
@@ -62,7 +64,12 @@ bool isInTrueSize(const PicturePage& page, int n, const PageLook& look, QSizeF p
 /// the patient's, or why it is not. Empty if true size is not requested.
 QString scaleText(const PicturePage& page, int n, const PageLook& look, QSizeF paperMm);
 
-/// Paints the pages. The Error: the device cannot be written to.
+/// Returns the tables as they fit on pages of a device below this header, one element a page.
+std::vector<std::vector<PageTable>> tablesOnPages(const std::vector<PageTable>& tables,
+                                                  const QStringList& head, QPagedPaintDevice& device);
+
+/// Paints the pages. Each ends with "Not for clinical use", the version and the date. The Error: the device
+/// cannot be written to.
 Status paintPages(QPagedPaintDevice& device, const PageSource& pages, const PageLook& look);
 
 }  // namespace volumen

@@ -140,6 +140,36 @@ QStringList legAxisText(const Measured& m) {
   return {bent, tr("HKA %1").arg(withUnit(m.leg->hka, m.unit))};
 }
 
+// Returns a length with its uncertainty and the words behind it; empty if none is stated.
+QString plusMinusText(const Result<Measured>& measured) {
+  if (!measured || !measured->plusMinus || measured->lines) return {};
+  return QStringLiteral("%1 \u00b1 %2%3")
+             .arg(shortNumberText(measured->number), shortNumberText(*measured->plusMinus),
+                  unitText(measured->unit)) +
+         wordsBehind(*measured);
+}
+
+// Returns what else is stated of a number: ", voxel 3, 4, 5", ", not calibrated".
+QString qualifyingText(const Measurement& measurement, const Result<Measured>& measured,
+                       const Series& series) {
+  QString text;
+  if (measured && measured->voxel && measured->frame)
+    text += tr(", pixel %1, %2").arg(measured->voxel->index.x).arg(measured->voxel->index.y);
+  else if (measured && measured->voxel)
+    text += tr(", voxel %1, %2, %3")
+                .arg(measured->voxel->index.x)
+                .arg(measured->voxel->index.y)
+                .arg(measured->voxel->index.z);
+  if (measured && measured->lines && measured->plusMinus)
+    text += tr(", long axis \u00b1 %1").arg(withUnit(*measured->plusMinus, measured->unit));
+  if (measured && measured->peak) text += tr(", SUVpeak of 1 ml at %1 mm").arg(placeText(*measured->peak));
+  const std::string unit = !measured ? "" : measured->lines ? measured->lines->unit : measured->unit;
+  if (unit == "px" || unit == "px^2") text += tr(", not calibrated");
+  if (measured && (measured->values || measured->voxel)) text += unitNote(series);
+  if (measurement.shape.softMm) text += surfaceText(*measurement.shape.softMm, series);
+  return text;
+}
+
 }  // namespace
 
 QString kindText(ShapeKind kind) {
@@ -210,29 +240,22 @@ QString measuredText(const Shape& shape, const Result<Measured>& measured) {
   return measuredLines(shape, measured).join(QStringLiteral(", "));
 }
 
+QStringList reportedLines(const Measurement& measurement, const Result<Measured>& measured,
+                          const Series& series) {
+  QStringList lines = measuredLines(measurement.shape, measured);
+  if (const QString exact = plusMinusText(measured); !exact.isEmpty()) lines = {exact};
+  QString qualified = qualifyingText(measurement, measured, series);
+  if (qualified.startsWith(QStringLiteral(", "))) qualified.remove(0, 2);
+  if (!qualified.isEmpty()) lines << qualified.trimmed();
+  return lines;
+}
+
 QString detailText(const Measurement& measurement, const Result<Measured>& measured, const Series& series) {
+  QString numbers = plusMinusText(measured);
+  if (numbers.isEmpty()) numbers = measuredText(measurement.shape, measured);
   QString text = nameText(measurement);
-  if (measured && measured->plusMinus && !measured->lines)
-    text += QStringLiteral(": %1 \u00b1 %2%3")
-                .arg(shortNumberText(measured->number), shortNumberText(*measured->plusMinus),
-                     unitText(measured->unit)) +
-            wordsBehind(*measured);
-  else if (const QString numbers = measuredText(measurement.shape, measured); !numbers.isEmpty())
-    text += QStringLiteral(": ") + numbers;
-  if (measured && measured->voxel && measured->frame)
-    text += tr(", pixel %1, %2").arg(measured->voxel->index.x).arg(measured->voxel->index.y);
-  else if (measured && measured->voxel)
-    text += tr(", voxel %1, %2, %3")
-                .arg(measured->voxel->index.x)
-                .arg(measured->voxel->index.y)
-                .arg(measured->voxel->index.z);
-  if (measured && measured->lines && measured->plusMinus)
-    text += tr(", long axis \u00b1 %1").arg(withUnit(*measured->plusMinus, measured->unit));
-  if (measured && measured->peak) text += tr(", SUVpeak of 1 ml at %1 mm").arg(placeText(*measured->peak));
-  const std::string unit = !measured ? "" : measured->lines ? measured->lines->unit : measured->unit;
-  if (unit == "px" || unit == "px^2") text += tr(", not calibrated");
-  if (measured && (measured->values || measured->voxel)) text += unitNote(series);
-  if (measurement.shape.softMm) text += surfaceText(*measurement.shape.softMm, series);
+  if (!numbers.isEmpty()) text += QStringLiteral(": ") + numbers;
+  text += qualifyingText(measurement, measured, series);
   if (ruleOf(measurement.shape.kind).numberless) return text;
   QString source = sourceText(measurement, series);
   if (measured && measured->other) source += tr(" and %1").arg(shownText(measured->other->source));

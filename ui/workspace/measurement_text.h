@@ -30,6 +30,11 @@ QStringList measuredLines(const Shape& shape, const Result<Measured>& measured);
 /// Returns the same in one line, for lists.
 QString measuredText(const Shape& shape, const Result<Measured>& measured);
 
+/// Returns measuredLines() for a report: with the uncertainty that is stated ("23.4 ± 0.6 mm"), and last what
+/// else is to be known of the number ("not calibrated").
+QStringList reportedLines(const Measurement& measurement, const Result<Measured>& measured,
+                          const Series& series);
+
 /// Returns the number with uncertainty and source: "23.4 ± 0.6 mm, from CT Chest (3)".
 QString detailText(const Measurement& measurement, const Result<Measured>& measured, const Series& series);
 
