@@ -5,7 +5,7 @@
 #include <QPrinter>
 #include <QStandardPaths>
 
-#include "results/text/series_text.h"
+#include "results/text/text.h"
 
 namespace volumen {
 
