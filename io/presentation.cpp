@@ -15,12 +15,6 @@ const Part* partFor(const std::vector<Part>& parts, const std::string& sopInstan
 
 }  // namespace
 
-float ValueMapping::operator()(double stored) const {
-  constexpr double most = 1e30;  // limit of volumes (design.md 10)
-  if (!table.empty()) return table[std::size_t(std::clamp(stored - first, 0.0, double(table.size() - 1)))];
-  return float(std::clamp(slope * stored + intercept, -most, most));
-}
-
 bool namesFrame(const std::vector<ReferencedPicture>& pictures, const std::string& sopInstanceUid,
                 int frame) {
   return std::ranges::any_of(pictures, [&](const ReferencedPicture& p) {

@@ -12,16 +12,6 @@
 
 namespace volumen {
 
-/// Maps stored values to values by a rescale, or by a table that replaces it (PS3.3 C.11.1).
-struct ValueMapping {
-  double slope = 1, intercept = 0;
-  double first = 0;                  ///< stored value of the table's first entry
-  std::vector<std::uint16_t> table;  ///< empty: the rescale applies
-  std::string unit;                  ///< "HU"; empty: unknown
-
-  float operator()(double stored) const;
-};
-
 /// A grayscale softcopy presentation state (PS3.3 A.33.1): the display parameters of its images. Missing
 /// parts are not taken from the images: without a rescale, stored values are values; without a window, all
 /// values are shown.

@@ -111,6 +111,7 @@ Status addGreys(const DataSet& data, const FileHeader& header, DecodedFrame deco
   const auto mapping = shown ? Result<ValueMapping>(shown->values) : readValueMapping(data, header, slice);
   if (!mapping) return mapping.error();
   frame.values = valuesOf(std::move(decoded.samples), *mapping);
+  frame.mapping = *mapping;
   frame.padding = paddingValues(slice, *mapping);
   frame.unit = mapping->unit;
   frame.greys = shown ? shownGreys(*shown, header.format)

@@ -41,12 +41,12 @@ inline void fields(Wire& w, UltrasoundRegion& r) {
 }
 inline void fields(Wire& w, FramePlace& p) { w(p.origin, p.row, p.column); }
 inline void fields(Wire& w, PixelValues& v) { w(v.stored, v.slope, v.intercept); }
+inline void fields(Wire& w, ValueMapping& m) { w(m.slope, m.intercept, m.first, m.table, m.unit); }
 inline void fields(Wire& w, Frame& f) {
-  w(f.size, f.values, f.rgb, f.greys, f.padding, f.pixel, f.place, f.rowSide, f.columnSide, f.overlays,
-    f.shutter, f.shutterGrey, f.regions, f.unit, f.warnings);
+  w(f.size, f.values, f.mapping, f.rgb, f.greys, f.padding, f.pixel, f.place, f.rowSide, f.columnSide,
+    f.overlays, f.shutter, f.shutterGrey, f.regions, f.unit, f.warnings);
 }
 
-inline void fields(Wire& w, ValueMapping& m) { w(m.slope, m.intercept, m.first, m.table, m.unit); }
 inline void fields(Wire& w, ShutterShape& s) { w(s.kind, s.from, s.to, s.centre, s.radius, s.corners); }
 inline void fields(Wire& w, Shutter& s) { w(s.shapes, s.grey); }
 inline void fields(Wire& w, PictureTurn& t) { w(t.quarters, t.mirrored); }

@@ -2,6 +2,7 @@
 #include <QLineEdit>
 #include <cmath>
 
+#include "results/text/measured_text.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/session_json.h"

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 
+#include "results/text/measured_text.h"
 #include "tests/ui/curve_window.h"
 #include "tests/unit/suite.h"
 #include "ui/widgets/banner.h"

@@ -7,6 +7,7 @@
 #include <QTreeWidget>
 #include <cmath>
 
+#include "results/text/measured_text.h"
 #include "results/text/text.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/ui/kept_pictures.h"

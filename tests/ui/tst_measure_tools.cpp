@@ -3,6 +3,7 @@
 #include <QLineEdit>
 #include <numbers>
 
+#include "results/text/measured_text.h"
 #include "tests/fixtures/grids.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/ui/measure_window.h"

@@ -5,6 +5,7 @@
 #include <QRandomGenerator>
 #include <numbers>
 
+#include "results/text/measured_text.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"
 

@@ -14,6 +14,7 @@
 #include <QTreeWidget>
 #include <cmath>
 
+#include "results/text/measured_text.h"
 #include "tests/fixtures/program.h"
 #include "tests/ui/measure_window.h"
 #include "tests/unit/suite.h"

@@ -2,6 +2,7 @@
 // events. They are compared with rays that meet a ball. Also guards what else the window does with them.
 #include <QMenu>
 
+#include "results/text/measured_text.h"
 #include "tests/ui/surface_window.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/flat_plane.h"

@@ -2,6 +2,7 @@
 // drawn and what its text says.
 #include <functional>
 
+#include "results/text/measured_text.h"
 #include "tests/ui/surface_window.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/flat_plane.h"

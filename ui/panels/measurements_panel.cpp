@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "results/numbers/series_columns.h"
+#include "results/text/measured_text.h"
 #include "results/text/text.h"
 #include "ui/widgets/fields.h"
 #include "ui/widgets/path_dialog.h"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "results/text/text.h"
+#include "results/text/measured_text.h"
 #include "ui/derivations/measured_numbers.h"
 #include "ui/views/colour_bar.h"
 #include "ui/views/drawn_measurement.h"

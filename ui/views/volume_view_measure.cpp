@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "ui/views/cine_bar.h"
+#include "results/text/measured_text.h"
 #include "ui/views/latin_key.h"
 #include "ui/views/volume_view.h"
 #include "ui/workspace/flat_plane.h"

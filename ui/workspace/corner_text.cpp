@@ -7,13 +7,13 @@
 
 #include "io/curved.h"
 #include "results/series/time_points.h"
+#include "results/text/measured_text.h"
 #include "results/text/series_text.h"
 #include "results/text/text.h"
 #include "ui/workspace/camera_moves.h"
 #include "ui/workspace/curved_text.h"
 #include "ui/workspace/key_images.h"
 #include "ui/workspace/link_text.h"
-#include "ui/workspace/measurement_text.h"
 #include "ui/workspace/time_points.h"
 #include "viewer/slice/plane.h"
 

@@ -7,9 +7,9 @@
 
 #include "io/curved.h"
 #include "results/series/series_facts.h"
+#include "results/text/measured_text.h"
 #include "results/text/text.h"
 #include "ui/workspace/flat_plane.h"
-#include "ui/workspace/measurement_text.h"
 
 namespace volumen {
 

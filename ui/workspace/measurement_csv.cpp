@@ -2,6 +2,7 @@
 
 #include "results/numbers/csv.h"
 #include "results/numbers/series_columns.h"
+#include "results/text/measured_text.h"
 #include "results/text/text.h"
 #include "ui/workspace/measurement_text.h"
 

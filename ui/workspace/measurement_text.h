@@ -1,7 +1,6 @@
 #pragma once
 
 #include <QString>
-#include <QStringList>
 
 #include "results/series/loaded_series.h"
 #include "ui/workspace/measurement.h"
@@ -14,21 +13,6 @@ QString kindText(ShapeKind kind);
 
 /// Returns the name, else kind and number: "Length 3".
 QString nameText(const Measurement& measurement);
-
-/// Returns the message that a region holds nothing to average.
-QString noneInsideText(const Measured& measured);
-
-/// Returns a number for people: three digits if small, one decimal if large, integers unchanged, never an
-/// exponent.
-QString shortNumberText(double number);
-
-/// Returns a measured number with its unit, or the reason why there is none: "23.4 mm". Regions add the
-/// statistics of their voxels, one per line: "Area 12.3 mm²", "Mean 45.2, SD 3.1 HU", "Min -5, max 99 HU",
-/// "123 voxels". With an overlay, the values of each series follow its name.
-QStringList measuredLines(const Shape& shape, const Result<Measured>& measured);
-
-/// Returns the same in one line, for lists.
-QString measuredText(const Shape& shape, const Result<Measured>& measured);
 
 /// Returns measuredLines() for a report: with the uncertainty that is stated ("23.4 ± 0.6 mm"), and last what
 /// else is to be known of the number ("not calibrated").

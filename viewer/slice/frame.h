@@ -64,6 +64,7 @@ struct FramePlace {
 struct Frame {
   glm::ivec2 size{0};             ///< Columns, rows
   PixelValues values;             ///< Grey: values after modality LUT or rescale; else empty
+  ValueMapping mapping;           ///< From stored values to `values`
   std::vector<std::uint8_t> rgb;  ///< Colour: 3 bytes per pixel; else empty
   std::vector<NamedGrey> greys;   ///< The file's windows and VOI LUTs, default first; never empty for grey
   std::optional<ValueRange> padding;  ///< Values that mean no value

@@ -45,6 +45,12 @@ std::vector<std::int64_t> countsOfAll(const std::vector<T>& stored) {
 
 }  // namespace
 
+float ValueMapping::operator()(double stored) const {
+  constexpr double most = 1e30;  // limit of volumes (design.md 10)
+  if (!table.empty()) return table[std::size_t(std::clamp(stored - first, 0.0, double(table.size() - 1)))];
+  return float(std::clamp(slope * stored + intercept, -most, most));
+}
+
 std::size_t PixelValues::size() const {
   return std::visit([](const auto& v) { return v.size(); }, stored);
 }

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "viewer/slice/grey.h"
@@ -29,6 +30,17 @@ struct PixelValues {
   bool anyNegative() const;
   /// Returns volumen::greyBytes() of all values.
   std::vector<std::uint8_t> greyBytes(const GreyMapping& mapping) const;
+};
+
+/// Maps stored values to values by a rescale, or by a table that replaces it (PS3.3 C.11.1).
+struct ValueMapping {
+  double slope = 1, intercept = 0;
+  double first = 0;                  ///< stored value of the table's first entry
+  std::vector<std::uint16_t> table;  ///< empty: the rescale applies
+  std::string unit;                  ///< "HU"; empty: unknown
+
+  float operator()(double stored) const;
+  bool operator==(const ValueMapping&) const = default;
 };
 
 /// Counts the values of pictures that share a window, without padding and non-finite values.

@@ -2,6 +2,7 @@
 #include <glm/geometric.hpp>
 
 #include "results/series/loaded_frame.h"
+#include "results/text/measured_text.h"
 #include "tests/unit/suite.h"
 #include "ui/workspace/measurement_text.h"
 #include "ui/workspace/measurements.h"
