@@ -42,6 +42,11 @@ Result<std::vector<Shape>> readShapes(const std::string& path) {
   return shapes;
 }
 
+std::string shapeWords(const std::vector<Shape>& shapes, std::size_t n) {
+  const std::string name = shapes[n].name.empty() ? "" : " \"" + shapes[n].name + "\"";
+  return "[" + std::to_string(n) + "] (" + ruleOf(shapes[n].kind).name + name + ")";
+}
+
 Result<ShapeSources> openForShapes(const std::string& path, const std::string& series,
                                    const std::vector<Shape>& shapes, bool needsVolume, const MemoryUse& use,
                                    const CancelToken& cancel) {

@@ -21,6 +21,9 @@ Result<ValueScale> scaleFor(const Series& series, const std::string& unit);
 /// Reads the file of --roi; no shapes if none is named.
 Result<std::vector<Shape>> readShapes(const std::string& path);
 
+/// Returns "[2] (length "lesion")", as error messages of shapes count.
+std::string shapeWords(const std::vector<Shape>& shapes, std::size_t n);
+
 /// The sources to measure shapes on, as far as they are needed.
 struct ShapeSources {
   std::optional<Opened> volume;

@@ -45,6 +45,12 @@ std::span<const ExportFormat> exportFormats() {
        exportReport,
        checkReport},
       {"ko", "key images as a DICOM key object selection", {"--images"}, {"--title"}, exportKeyObjects},
+      {"gsps",
+       "windows and measurements of grey images as a DICOM presentation state",
+       {},
+       {"--window", "--roi", "--images", "--series"},
+       exportPresentation,
+       checkPresentation},
       {"seg", "segments as a DICOM segmentation", {"--segments"}, {"--series"}, exportSegmentation},
       {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
       {"series", "slices along a plane as a DICOM series, into a folder", {}, ofSeries, exportSeries},
@@ -94,11 +100,12 @@ Status settlePlane(const CLI::App& app, ExportJob& job) {
 }
 
 void addFormatOptions(CLI::App& app, ExportJob& job) {
-  app.add_option("--roi", job.shapes, "Of sr: the shapes to measure, as for `volumen measure`")
+  app.add_option("--roi", job.shapes, "Of sr and gsps: the shapes to measure, as for `volumen measure`")
       ->type_name("FILE");
-  app.add_option("--images", job.images,
-                 "Of ko: the key images, UID,... by SOPInstanceUID, or UID/FRAME of one with several frames, "
-                 "which count from 1")
+  app.add_option(
+         "--images", job.images,
+         "Of ko and gsps: the images, UID,... by SOPInstanceUID, or UID/FRAME of one with several frames, "
+         "which count from 1 (default of gsps: all of the series)")
       ->type_name("LIST");
   app.add_option(
          "--title", job.title,

@@ -14,12 +14,6 @@ namespace volumen {
 
 namespace {
 
-// Returns "[2] (length "lesion")", as error messages of shapes count.
-std::string shapeWords(const std::vector<Shape>& shapes, std::size_t n) {
-  const std::string name = shapes[n].name.empty() ? "" : " \"" + shapes[n].name + "\"";
-  return "[" + std::to_string(n) + "] (" + ruleOf(shapes[n].kind).name + name + ")";
-}
-
 // Adds the shapes of a file to a report.
 Status addShapes(const ExportJob& job, const Study& study, Report& report, Exported& exported,
                  const CancelToken& cancel) {

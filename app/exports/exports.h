@@ -36,12 +36,14 @@ struct Exported {
 /// Check the options of a job before anything is read. The Error (wrong usage) names the option.
 Status checkReport(const ExportJob& job);
 Status checkCapture(const ExportJob& job);
+Status checkPresentation(const ExportJob& job);
 
 /// Each writes what a job names in one format (exportFormats()). The Error is a sentence for the user.
 Result<Exported> exportCapture(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportPdf(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportReport(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cancel);
+Result<Exported> exportPresentation(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportStructureSet(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportSegmentation(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportSegmentSurfaces(const ExportJob& job, const CancelToken& cancel);

@@ -8,6 +8,7 @@
 #include <new>
 
 #include "io/export/dicom_file.h"
+#include "io/export/dicom_modules.h"
 #include "io/export/presentation_elements.h"
 #include "io/study/series.h"
 
@@ -50,13 +51,6 @@ Status checkParts(const Presentation& p, const std::map<std::string, const Dicom
   };
   if (check(p.greys) && check(p.areas) && check(p.annotations)) return {};
   return Error{"A part of the presentation is for a picture that the presentation itself does not name."};
-}
-
-DicomElements bodyPart(const Series& series) {
-  DicomElements all;
-  if (!series.bodyPart.empty()) all.push_back({0x00180015, series.bodyPart});
-  if (mayBePaired(series.bodyPart)) all.push_back({0x00200060, series.laterality});
-  return all;
 }
 
 DicomElements identification(const Presentation& p, const ObjectTags& dated) {

@@ -13,15 +13,6 @@ namespace {
 
 Result<ValueScale> usualScale(const Series& series) { return valueScale(series, PetUnit::suvBodyWeight); }
 
-// A mosaic holds all slices in one image without frames.
-Result<bool> isMosaic(const Study& study, const Series& series) {
-  const auto& uids = series.sopInstanceUids;
-  if (uids.size() < 2 || uids[0] != uids[1]) return false;
-  const auto source = readDocumentSource(study, std::span(uids).first(1));
-  if (!source) return source.error();
-  return source->pictures.at(uids[0]).frames == 1;
-}
-
 class Reporter {
  public:
   Reporter(const Study& study, const std::vector<Series>& frames, const CancelToken& cancel)
@@ -63,7 +54,7 @@ class Reporter {
     return {};
   }
 
-  Status addGroup(const ShapeToReport& one, const Result<Measured>& measured, const ReportedOn& on) {
+  Status addGroup(const ShapeToReport& one, const Result<Measured>& measured, const MeasuredOn& on) {
     if (!measured) return measured.error();
     const auto group = reportedShape(one.shape, *measured, on);
     if (!group) return Error{group.message() + "."};
@@ -78,6 +69,14 @@ class Reporter {
 };
 
 }  // namespace
+
+Result<bool> isMosaic(const Study& study, const Series& series) {
+  const auto& uids = series.sopInstanceUids;
+  if (uids.size() < 2 || uids[0] != uids[1]) return false;
+  const auto source = readDocumentSource(study, std::span(uids).first(1));
+  if (!source) return source.error();
+  return source->pictures.at(uids[0]).frames == 1;
+}
 
 Result<ShapesReport> reportOfShapes(std::span<const ShapeToReport> shapes, const Study& study,
                                     const std::vector<Series>& frames, const CancelToken& cancel) {

@@ -39,6 +39,9 @@ struct ShapesReport {
 Result<ShapesReport> reportOfShapes(std::span<const ShapeToReport> shapes, const Study& study,
                                     const std::vector<Series>& frames, const CancelToken& cancel);
 
+/// Returns whether all slices of a series are tiles of one image without frames (mosaic).
+Result<bool> isMosaic(const Study& study, const Series& series);
+
 /// Returns the study that a document about images is made of: all that belongs to the study with this UID.
 Study studyOfUid(std::span<const Study* const> open, const std::string& studyUid);
 

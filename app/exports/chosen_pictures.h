@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "io/study/study.h"
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// Pictures of one series.
+struct ChosenPictures {
+  Series series;
+  std::vector<int> indices;        ///< of its frames, ascending; never empty
+  bool hasPlace = false;           ///< true for a volume, which shapes in the patient can lie in
+  std::vector<std::string> notes;  ///< sentences on what was chosen for the user
+};
+
+/// Returns the pictures `images` of the series that --series names (a volume as chooseSeries() does, or
+/// pictures by the id or UID of their series, or by that of an image); all of the series without images.
+/// Without --series it is the one that holds the first of `images`, else `instance`, else the largest volume,
+/// else the first pictures. The Error: there is no such series or image, or it comes from no DICOM files.
+Result<ChosenPictures> choosePictures(const std::string& path, const Study& study, const std::string& series,
+                                      const std::vector<ReferencedPicture>& images,
+                                      const std::string& instance);
+
+/// Returns references to pictures of a series by index, each image once with its frames.
+std::vector<ReferencedPicture> picturesAt(const Series& series, const std::vector<int>& indices);
+
+}  // namespace volumen

@@ -1,0 +1,138 @@
+#include "app/exports/picture_greys.h"
+
+#include <algorithm>
+
+#include "io/frames.h"
+
+namespace volumen {
+
+namespace {
+
+struct PictureGrey {
+  int index = 0;
+  ValueMapping mapping;
+  std::vector<NamedGrey> greys;
+};
+
+std::vector<NamedGrey> through(const std::optional<Window>& window, std::vector<NamedGrey> greys) {
+  if (!window) return greys;
+  GreyMapping grey = greys.front().mapping;
+  grey.window = *window, grey.table = {};
+  return {{{}, grey}};
+}
+
+// Returns a mapping of stored values that shows the same. LINEAR has its middle half a value lower and is one
+// value narrower (PS3.3 C.11.2.1.2.1).
+GreyMapping ofStored(GreyMapping grey, const ValueMapping& values) {
+  const double one = grey.function == WindowFunction::linear ? 1 : 0;
+  grey.window.centre = (grey.window.centre - one / 2 - values.intercept) / values.slope + one / 2;
+  grey.window.width = (grey.window.width - one) / values.slope + one;
+  return grey;
+}
+
+// Turns the greys of pictures with different rescales into those of stored values.
+Status useStoredValues(std::vector<PictureGrey>& pictures) {
+  for (PictureGrey& picture : pictures) {
+    for (NamedGrey& grey : picture.greys) {
+      if (!picture.mapping.table.empty() || picture.mapping.slope <= 0 || !grey.mapping.table.grey.empty())
+        return Error{
+            "The pictures have different rescales and lookup tables, and a presentation state has one "
+            "rescale: name pictures that are alike by --images."};
+      grey.mapping = ofStored(grey.mapping, picture.mapping);
+    }
+    picture.mapping = {};
+  }
+  return {};
+}
+
+bool haveSameGreys(const PictureGrey& a, const PictureGrey& b) {
+  return std::ranges::equal(a.greys, b.greys, [](const NamedGrey& x, const NamedGrey& y) {
+    return x.name == y.name && x.mapping == y.mapping;
+  });
+}
+
+// Returns the greys, one part for all pictures with the same ones.
+std::vector<Presentation::Greys> partsOf(const Series& series, std::span<const PictureGrey> pictures) {
+  std::vector<std::pair<const PictureGrey*, std::vector<int>>> groups;
+  for (const PictureGrey& picture : pictures) {
+    const auto same = [&](const auto& group) { return haveSameGreys(*group.first, picture); };
+    auto group = std::ranges::find_if(groups, same);
+    if (group == groups.end()) group = groups.insert(group, {&picture, {}});
+    group->second.push_back(picture.index);
+  }
+  std::vector<Presentation::Greys> parts;
+  for (const auto& [picture, indices] : groups) {
+    const bool isAll = groups.size() == 1;
+    parts.push_back({isAll ? std::vector<ReferencedPicture>() : picturesAt(series, indices), picture->greys});
+  }
+  return parts;
+}
+
+bool areAlike(const Frame& a, const Frame& b) {
+  return a.size == b.size && a.pixel == b.pixel &&
+         a.greys.front().mapping.inverted == b.greys.front().mapping.inverted;
+}
+
+/// Reads pictures one by one.
+class GreysReader {
+ public:
+  GreysReader(const ChosenPictures& chosen, const std::optional<Window>& window)
+      : chosen_(chosen), window_(window) {}
+
+  Status add(int index) {
+    const Series& series = chosen_.series;
+    const std::string& file = series.files[std::size_t(index)];
+    if (series.sopInstanceUids[std::size_t(index)].empty())
+      return Error{file + " has no SOPInstanceUID, by which a presentation state names its pictures."};
+    Result<Frame> frame = loadFrame(series, index);
+    if (!frame) return frame.error();
+    if (frame->colour())
+      return Error{file + " holds a picture in colour: a grayscale presentation state is of grey ones."};
+    for (const std::string& warning : frame->warnings)
+      if (std::ranges::find(greys_.notes, warning) == greys_.notes.end()) greys_.notes.push_back(warning);
+    pictures_.push_back({index, frame->mapping, through(window_, frame->greys)});
+    if (pictures_.size() == 1)
+      greys_.first = *std::move(frame);
+    else if (!areAlike(greys_.first, *frame))
+      return Error{file +
+                   " differs from the first picture in size, pixel spacing or inversion, and a presentation "
+                   "state shows "
+                   "pictures that are alike: name them by --images."};
+    return {};
+  }
+
+  Result<PictureGreys> finish() {
+    Presentation& p = greys_.presentation;
+    const auto isOfFirst = [&](const PictureGrey& one) { return one.mapping == pictures_.front().mapping; };
+    if (!std::ranges::all_of(pictures_, isOfFirst)) {
+      if (Status s = useStoredValues(pictures_); !s) return s.error();
+      greys_.notes.emplace_back(
+          "The pictures have different rescales: each has a window of its own in stored values.");
+    }
+    p.pictures = picturesAt(chosen_.series, chosen_.indices);
+    p.values = pictures_.front().mapping;
+    p.greys = partsOf(chosen_.series, pictures_);
+    p.inverted = pictures_.front().greys.front().mapping.inverted;
+    return std::move(greys_);
+  }
+
+ private:
+  const ChosenPictures& chosen_;
+  const std::optional<Window>& window_;
+  std::vector<PictureGrey> pictures_;
+  PictureGreys greys_;
+};
+
+}  // namespace
+
+Result<PictureGreys> greysOfPictures(const ChosenPictures& chosen, const std::optional<Window>& window,
+                                     const CancelToken& cancel) {
+  GreysReader reader(chosen, window);
+  for (const int index : chosen.indices) {
+    if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
+    if (Status s = reader.add(index); !s) return s.error();
+  }
+  return reader.finish();
+}
+
+}  // namespace volumen
