@@ -90,6 +90,15 @@ HelpFormatter::HelpFormatter() {
   label("Positionals", "Arguments");
 }
 
+// Two blanks at least tell an option from its text: one that leaves room for one blank has a line of its own.
+std::string HelpFormatter::make_option(const CLI::Option* option, bool isPositional) const {
+  std::string text = CLI::Formatter::make_option(option, isPositional);
+  const std::string name = "  " + make_option_name(option, isPositional) + make_option_opts(option);
+  if (name.size() + 1 == get_column_width())
+    text.replace(name.size(), 1, "\n" + std::string(get_column_width(), ' '));
+  return text;
+}
+
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   const std::string type = option->get_type_name();
   return type.empty() ? "" : " " + type;

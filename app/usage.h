@@ -12,6 +12,7 @@ namespace volumen {
 class HelpFormatter : public CLI::Formatter {
  public:
   HelpFormatter();
+  std::string make_option(const CLI::Option* option, bool isPositional) const override;
   std::string make_option_opts(const CLI::Option* option) const override;
   std::string make_usage(const CLI::App* app, std::string name) const override;
 };
