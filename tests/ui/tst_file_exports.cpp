@@ -5,6 +5,7 @@
 
 #include "io/export/dicom_series.h"
 #include "io/export/read_segments.h"
+#include "io/load.h"
 #include "io/open.h"
 #include "io/report.h"
 #include "tests/ui/leaving.h"
@@ -74,6 +75,7 @@ class TestFileExports : public QObject {
   void eachChoiceIsOneObject();
   void valuesAreThoseShown();
   void theSeriesIsCopied();
+  void slicesAreLikeThoseInTheView();
   void namesAreHiddenInPictures();
   void identityIsLeftOut();
   void whatFailsLeavesNothing();
@@ -173,6 +175,36 @@ void TestFileExports::theSeriesIsCopied() {
   for (const QString& file : here) originals.insert(contentsOf(file));
   for (const QString& file : there) copies.insert(contentsOf(file));
   QVERIFY(copies == originals);
+  w.window.end();
+}
+
+// Coronal ones through the whole head: the volume that they are read as has its values at the same places.
+void TestFileExports::slicesAreLikeThoseInTheView() {
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  w.session().setFocus(coronalViewId);
+  const QTemporaryDir folder;
+  QVERIFY(w.leave("All slices like that in the view as a new series", folder.path()));
+  const Volume& shown = *w.session().series()->volume;
+  const std::string path = folder.filePath(QStringLiteral("slices")).toStdString();
+  const auto study = openStudy(path);
+  QVERIFY(study && study->volumes.size() == 1);
+  const auto read = loadSeries(study->volumes[0]);
+  QVERIFY2(read, read ? "" : read.message().c_str());
+  const VoxelGeometry &here = shown.geometry(), &there = read->drawn->geometry();
+  QCOMPARE(there.size.z, here.size.y);
+  const glm::dvec3 normal = glm::normalize(there.patientFromVoxelStep[2]);
+  QVERIFY(std::abs(normal.y) > 0.999);
+  int compared = 0;
+  for (int y = 5; y < 35; y += 5)
+    for (int x = 5; x < 35; x += 5) {
+      const glm::dvec3 voxel = there.voxelFromPatient(here.patientFromVoxel({x, y, 20}));
+      const glm::ivec3 nearest = glm::round(voxel);
+      if (glm::distance(voxel, glm::dvec3(nearest)) > 1e-3) continue;
+      QVERIFY(std::abs(read->drawn->value(nearest.x, nearest.y, nearest.z) - shown.value(x, y, 20)) <= 0.5);
+      ++compared;
+    }
+  QVERIFY(compared > 10);
   w.window.end();
 }
 

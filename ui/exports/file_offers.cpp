@@ -1,5 +1,6 @@
 #include "ui/exports/file_offers.h"
 
+#include <QDir>
 #include <algorithm>
 #include <map>
 #include <set>
@@ -8,6 +9,7 @@
 #include "io/export/key_objects_dicom.h"
 #include "io/export/report_dicom.h"
 #include "io/export/rtstruct.h"
+#include "io/export/slice_stack.h"
 #include "io/load.h"
 #include "io/study/frame_series.h"
 #include "results/numbers/shapes_report.h"
@@ -199,6 +201,34 @@ std::vector<FileOffer> offersOf(const Series& shown, const std::vector<SegmentMa
   if (const auto pictures = keyImagesIn(session, shown.studyUid); !pictures.empty())
     offers.push_back(offerOfKeyImages(pictures, study));
   return offers;
+}
+
+FileOffer offerOfSlices(const LoadedSeriesPtr& shown, const SlicePlane& plane, int seriesNumber) {
+  const VoxelGeometry& geometry = shown->volume->geometry();
+  SlicePlane through = planeAlong(geometry, plane.right, plane.down);
+  through.slabMm = plane.slabMm, through.slabMode = plane.slabMode;
+  through.interpolation = plane.interpolation;
+  through.size = sizeToCover(geometry, through);
+  const double distanceMm = plane.slabMm > 0 ? plane.slabMm : wheelStep(geometry, plane.normal());
+  const auto make = [=](const QString& folder, const Job& job) -> Result<LeavingFiles> {
+    const auto stack = stackThrough(shown->volume->geometry(), through, distanceMm);
+    if (!stack) return stack.error();
+    const auto made = resampleStack(*shown->volume, *stack, job.progress(), job.cancel());
+    if (!made) return made.error();
+    const Loaded loaded{shown->volume, shown->volume, {}, {}, shown->origins, shown->places};
+    auto tags = readDicomTags(shown->series, loaded, job.progress(), job.cancel());
+    if (!tags) return tags.error();
+    const QString into = folder + QStringLiteral("/slices");
+    const auto notes =
+        writeDicomSeries(*made->volume, stackTags(*std::move(tags), loaded, *stack, seriesNumber),
+                         into.toStdString(), job.progress(), job.cancel());
+    if (!notes) return notes.error();
+    LeavingFiles leaving{{}, texts(*notes)};
+    for (const QString& name : QDir(into).entryList(QDir::Files, QDir::Name))
+      leaving.files.push_back((into + QLatin1Char('/') + name).toStdString());
+    return leaving;
+  };
+  return {tr("All slices like that in the view as a new series"), QStringLiteral("slices"), make};
 }
 
 }  // namespace volumen

@@ -6,8 +6,10 @@
 
 #include "io/export/secondary_capture.h"
 #include "results/segments/segment_map.h"
+#include "results/series/loaded_series.h"
 #include "ui/document/job_lane.h"
 #include "ui/exports/picture_maker.h"
+#include "viewer/slice/plane.h"
 
 namespace volumen {
 
@@ -37,5 +39,9 @@ struct FileOffer {
 /// `maps`, measurements and key images as DICOM objects.
 std::vector<FileOffer> offersOf(const Series& shown, const std::vector<SegmentMap>& maps,
                                 const Session& session, const OpenStudies& open);
+
+/// Returns an offer of slices through a whole series like `plane`, in its slab and interpolation, as a
+/// derived series of this number.
+FileOffer offerOfSlices(const LoadedSeriesPtr& shown, const SlicePlane& plane, int seriesNumber);
 
 }  // namespace volumen

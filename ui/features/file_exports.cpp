@@ -31,7 +31,7 @@ class FileExports : public ExportFeature {
   void offerShown(const QString& archive);
   void offerListed(const IndexedChoice& choice, const QString& name);
   void offerObject(const DerivedObjectPtr& object);
-  void addPictures(std::vector<FileOffer>& offers, const Series& shown) const;
+  void addOfView(std::vector<FileOffer>& offers, const Series& shown) const;
   SnapshotRequest snapshot(int pictures) const;
   std::optional<Archives> knownArchives();
   void ask(const QString& name, const std::vector<FileOffer>& offers, const QString& archive);
@@ -79,14 +79,14 @@ void FileExports::offerShown(const QString& archive) {
   const std::vector<const SegmentMap*> maps =
       isSegmented ? allSegmentsShown(session_) : std::vector<const SegmentMap*>();
   std::vector<FileOffer> offers = offersOf(*shown, copiesOf(maps), session_, open_);
-  addPictures(offers, *shown);
+  addOfView(offers, *shown);
   ask(patientText(*shown) + QStringLiteral(", ") + studyText(*shown) + QStringLiteral(", ") +
           seriesText(*shown),
       offers, archive);
 }
 
-// Adds the picture of the view in focus and a turn of a 3D view, as they are now.
-void FileExports::addPictures(std::vector<FileOffer>& offers, const Series& shown) const {
+// Adds the picture of the view in focus, slices like it or a turn of a 3D view, as they are now.
+void FileExports::addOfView(std::vector<FileOffer>& offers, const Series& shown) const {
   std::vector<const Study*> studies;
   for (const OpenStudy& each : open_.all()) studies.push_back(each.study.get());
   FileOffer offer{tr("The picture in the view"), QStringLiteral("picture")};
@@ -104,6 +104,9 @@ void FileExports::addPictures(std::vector<FileOffer>& offers, const Series& show
       return flatPictures(grid_, {now}, look);
     };
     offers.push_back(offer);
+    const auto plane = flat->plane();
+    if (plane && showsSlices(flat->state().kind))
+      offers.push_back(offerOfSlices(flat->shown(), *plane, offer.tags.seriesNumber));
   }
   if (!qobject_cast<VolumeView*>(grid_.viewShown()) || !session_.series()) return;
   offer.tags.description = "Volume rendering";
