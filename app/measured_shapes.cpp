@@ -73,4 +73,17 @@ MeasuredShape measuredShape(const Shape& shape, const ShapeSources& sources, con
   return {scaled(measure(shape, *sources.volume->loaded.drawn, scale.unit, cancel), scale.factor)};
 }
 
+ShapesVolume volumeOf(const ShapeSources& sources) {
+  if (!sources.volume) return {};
+  const Loaded& loaded = sources.volume->loaded;
+  return {sources.volume->series, loaded.drawn, loaded.origins, loaded.places};
+}
+
+std::vector<ShapeToMeasure> shapesToMeasure(const std::vector<Shape>& shapes, const ShapesVolume& volume) {
+  std::vector<ShapeToMeasure> all;
+  for (std::size_t n = 0; n < shapes.size(); ++n)
+    all.push_back({shapes[n], shapeWords(shapes, n), shapes[n].frame ? nullptr : &volume});
+  return all;
+}
+
 }  // namespace volumen

@@ -39,4 +39,9 @@ Result<ShapeSources> openForShapes(const std::string& path, const std::string& s
 MeasuredShape measuredShape(const Shape& shape, const ShapeSources& sources, const ValueScale& scale,
                             const std::string& unit, const CancelToken& cancel);
 
+/// Returns the volume of the sources, if there is one, to measure shapes in.
+ShapesVolume volumeOf(const ShapeSources& sources);
+/// Returns shapes with the names of shapeWords(); those that are not on frames are in `volume`.
+std::vector<ShapeToMeasure> shapesToMeasure(const std::vector<Shape>& shapes, const ShapesVolume& volume);
+
 }  // namespace volumen

@@ -1,7 +1,6 @@
 #include "app/exports/chosen_pictures.h"
 
 #include <algorithm>
-#include <map>
 
 #include "app/open_volume.h"
 #include "io/presentation.h"
@@ -109,19 +108,6 @@ Result<ChosenPictures> choosePictures(const std::string& path, const Study& stud
   if (!indices) return indices.error();
   chosen.indices = *indices;
   return chosen;
-}
-
-std::vector<ReferencedPicture> picturesAt(const Series& series, const std::vector<int>& indices) {
-  std::vector<ReferencedPicture> all;
-  std::map<std::string, std::size_t> known;
-  for (const int index : indices) {
-    const auto n = std::size_t(index);
-    const auto [at, isNew] = known.try_emplace(series.sopInstanceUids[n], all.size());
-    if (isNew) all.push_back({series.sopInstanceUids[n], {}, {}, {}});
-    all[at->second].frames.push_back(series.frames[n]);
-  }
-  for (ReferencedPicture& picture : all) std::ranges::sort(picture.frames);
-  return all;
 }
 
 }  // namespace volumen

@@ -4,14 +4,13 @@
 #include <vector>
 
 #include "io/study/study.h"
+#include "results/pictures/picture_greys.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
 
-/// Pictures of one series.
-struct ChosenPictures {
-  Series series;
-  std::vector<int> indices;        ///< of its frames, ascending; never empty
+/// Pictures that a command line names.
+struct ChosenPictures : SeriesPictures {
   bool hasPlace = false;           ///< true for a volume, which shapes in the patient can lie in
   std::vector<std::string> notes;  ///< sentences on what was chosen for the user
 };
@@ -23,8 +22,5 @@ struct ChosenPictures {
 Result<ChosenPictures> choosePictures(const std::string& path, const Study& study, const std::string& series,
                                       const std::vector<ReferencedPicture>& images,
                                       const std::string& instance);
-
-/// Returns references to pictures of a series by index, each image once with its frames.
-std::vector<ReferencedPicture> picturesAt(const Series& series, const std::vector<int>& indices);
 
 }  // namespace volumen

@@ -21,18 +21,9 @@ Status addShapes(const ExportJob& job, const Study& study, Report& report, Expor
   if (!shapes) return shapes.error();
   const auto sources = openForShapes(job.path, job.series, *shapes, false, {}, cancel);
   if (!sources) return sources.error();
-  ReportedVolume volume;
-  if (const auto& opened = sources->volume) {
-    const Loaded& loaded = opened->loaded;
-    volume = {opened->series, loaded.drawn, loaded.origins, loaded.places};
-    exported = {opened->notes, loaded.unread};
-  }
-  std::vector<ShapeToReport> toReport;
-  for (std::size_t n = 0; n < shapes->size(); ++n) {
-    const Shape& shape = (*shapes)[n];
-    toReport.push_back({shape, shapeWords(*shapes, n), shape.frame ? nullptr : &volume});
-  }
-  const auto made = reportOfShapes(toReport, study, sources->frames, cancel);
+  if (const auto& opened = sources->volume) exported = {opened->notes, opened->loaded.unread, {}};
+  const ShapesVolume volume = volumeOf(*sources);
+  const auto made = reportOfShapes(shapesToMeasure(*shapes, volume), study, sources->frames, cancel);
   if (!made)
     return Error{job.shapes + ": " +
                  (made.message().empty() ? "No shape in it has a number." : made.message())};

@@ -47,4 +47,20 @@ MeasuredShape measuredOnFrame(const Shape& shape, const std::vector<Series>& all
   return out;
 }
 
+MeasuredShape measuredShape(const ShapeToMeasure& one, const std::vector<Series>& frames,
+                            const CancelToken& cancel) {
+  const auto scaleOf = [](const Series& series) { return valueScale(series, PetUnit::suvBodyWeight); };
+  if (!one.volume) return measuredOnFrame(one.shape, frames, scaleOf);
+  const ValueScale scale = scaleOf(one.volume->series);
+  return {scaled(measure(one.shape, *one.volume->volume, scale.unit, cancel), scale.factor)};
+}
+
+MeasuredOn placeIn(const ShapesVolume& volume, bool isTiled) {
+  return {&volume.series, volume.volume->geometry(), volume.origins, volume.places, isTiled};
+}
+
+MeasuredOn placeOn(const MeasuredShape& frame) {
+  return {frame.series, {}, {}, {}, false, frame.frame, frame.pixelMm};
+}
+
 }  // namespace volumen

@@ -2,10 +2,15 @@
 
 #include <functional>
 #include <glm/vec2.hpp>
+#include <string>
 #include <vector>
 
+#include "io/study/loaded.h"
+#include "io/study/series.h"
 #include "io/study/suv.h"
+#include "results/numbers/shape_places.h"
 #include "viewer/measure/measure.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 
@@ -17,10 +22,34 @@ struct MeasuredShape {
   glm::dvec2 pixelMm{1};           ///< size of a pixel of the frame, or its proportions
 };
 
+/// A volume in which shapes are measured.
+struct ShapesVolume {
+  Series series;
+  VolumePtr volume;                    ///< the drawn grid
+  std::vector<SliceOrigin> origins{};  ///< as in Loaded
+  std::vector<double> places{};        ///< as in Loaded
+};
+
+/// A shape to measure.
+struct ShapeToMeasure {
+  Shape shape;
+  std::string name;                      ///< for messages: "[2] (length)"
+  const ShapesVolume* volume = nullptr;  ///< null: it is on a frame
+};
+
 /// Returns the scale of a series' values.
 using ScaleOf = std::function<Result<ValueScale>(const Series& series)>;
 
 /// Reads the frame of a shape, which is in one of the series, and measures the shape on it.
 MeasuredShape measuredOnFrame(const Shape& shape, const std::vector<Series>& all, const ScaleOf& scaleOf);
+
+/// Measures a shape in its volume or on one of the frames, with values in SUVbw where there is SUV.
+MeasuredShape measuredShape(const ShapeToMeasure& one, const std::vector<Series>& frames,
+                            const CancelToken& cancel);
+
+/// Returns the images that a shape is measured on, in a volume or on a frame. The result refers to the
+/// argument.
+MeasuredOn placeIn(const ShapesVolume& volume, bool isTiled = false);
+MeasuredOn placeOn(const MeasuredShape& frame);
 
 }  // namespace volumen

@@ -4,47 +4,41 @@
 #include <map>
 
 #include "io/export/document_dicom.h"
-#include "viewer/measure/scaled.h"
 #include "viewer/measure/shape.h"
 
 namespace volumen {
 
 namespace {
 
-Result<ValueScale> usualScale(const Series& series) { return valueScale(series, PetUnit::suvBodyWeight); }
-
 class Reporter {
  public:
   Reporter(const Study& study, const std::vector<Series>& frames, const CancelToken& cancel)
       : study_(study), frames_(frames), cancel_(cancel) {}
 
-  Status add(const ShapeToReport& one) {
+  Status add(const ShapeToMeasure& one) {
     if (ruleOf(one.shape.kind).numberless) {
       made.notes.push_back(one.name + " has no number and is left out of the report.");
       return {};
     }
-    return one.volume ? addInVolume(one) : addOnFrame(one);
+    const MeasuredShape measured = measuredShape(one, frames_, cancel_);
+    return one.volume ? addInVolume(one, measured) : addOnFrame(one, measured);
   }
 
   ShapesReport made;
 
  private:
-  Status addInVolume(const ShapeToReport& one) {
-    const ReportedVolume& in = *one.volume;
-    if (!tiled_.contains(&in)) {
-      const auto tiled = isMosaic(study_, in.series);
+  Status addInVolume(const ShapeToMeasure& one, const MeasuredShape& in) {
+    const ShapesVolume& volume = *one.volume;
+    if (!tiled_.contains(&volume)) {
+      const auto tiled = isMosaic(study_, volume.series);
       if (!tiled) return tiled.error();
-      tiled_[&in] = *tiled;
+      tiled_[&volume] = *tiled;
     }
-    const auto scale = usualScale(in.series);
-    const auto measured = scaled(measure(one.shape, *in.volume, scale->unit, cancel_), scale->factor);
-    return addGroup(one, measured, {&in.series, in.volume->geometry(), in.origins, in.places, tiled_[&in]});
+    return addGroup(one, in.measured, placeIn(volume, tiled_[&volume]));
   }
 
-  Status addOnFrame(const ShapeToReport& one) {
-    const MeasuredShape on = measuredOnFrame(one.shape, frames_, usualScale);
-    if (Status s = addGroup(one, on.measured, {on.series, {}, {}, {}, false, on.frame, on.pixelMm}); !s)
-      return s;
+  Status addOnFrame(const ShapeToMeasure& one, const MeasuredShape& on) {
+    if (Status s = addGroup(one, on.measured, placeOn(on)); !s) return s;
     if (const auto& frame = on.measured->frame; frame && !frame->calibration.empty())
       made.notes.push_back(one.name + ": its mm are " + frame->calibration +
                            ", which the report does not say.");
@@ -54,7 +48,7 @@ class Reporter {
     return {};
   }
 
-  Status addGroup(const ShapeToReport& one, const Result<Measured>& measured, const MeasuredOn& on) {
+  Status addGroup(const ShapeToMeasure& one, const Result<Measured>& measured, const MeasuredOn& on) {
     if (!measured) return measured.error();
     const auto group = reportedShape(one.shape, *measured, on);
     if (!group) return Error{group.message() + "."};
@@ -65,7 +59,7 @@ class Reporter {
   const Study& study_;
   const std::vector<Series>& frames_;
   const CancelToken& cancel_;
-  std::map<const ReportedVolume*, bool> tiled_;
+  std::map<const ShapesVolume*, bool> tiled_;
 };
 
 }  // namespace
@@ -78,10 +72,10 @@ Result<bool> isMosaic(const Study& study, const Series& series) {
   return source->pictures.at(uids[0]).frames == 1;
 }
 
-Result<ShapesReport> reportOfShapes(std::span<const ShapeToReport> shapes, const Study& study,
+Result<ShapesReport> reportOfShapes(std::span<const ShapeToMeasure> shapes, const Study& study,
                                     const std::vector<Series>& frames, const CancelToken& cancel) {
   Reporter reporter(study, frames, cancel);
-  for (const ShapeToReport& one : shapes) {
+  for (const ShapeToMeasure& one : shapes) {
     if (cancel.cancelled()) break;
     if (Status s = reporter.add(one); !s) return Error{one.name + ": " + s.message()};
   }

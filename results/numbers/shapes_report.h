@@ -11,21 +11,6 @@
 
 namespace volumen {
 
-/// A volume in which shapes of a report are measured.
-struct ReportedVolume {
-  Series series;
-  VolumePtr volume;                    ///< the drawn grid
-  std::vector<SliceOrigin> origins{};  ///< as in Loaded
-  std::vector<double> places{};        ///< as in Loaded
-};
-
-/// A shape to report.
-struct ShapeToReport {
-  Shape shape;
-  std::string name;                        ///< for messages: "[2] (length)"
-  const ReportedVolume* volume = nullptr;  ///< null: it is on a frame
-};
-
 /// A report of measured shapes.
 struct ShapesReport {
   Report report;
@@ -36,7 +21,7 @@ struct ShapesReport {
 /// Measures shapes in their volumes, or on frames of `frames`, and returns their report (TID 1500). Shapes
 /// without number are left out. `study` has the instances of all volumes. The Error begins with the name of
 /// the shape that a report cannot hold; it is empty if no shape has a number.
-Result<ShapesReport> reportOfShapes(std::span<const ShapeToReport> shapes, const Study& study,
+Result<ShapesReport> reportOfShapes(std::span<const ShapeToMeasure> shapes, const Study& study,
                                     const std::vector<Series>& frames, const CancelToken& cancel);
 
 /// Returns whether all slices of a series are tiles of one image without frames (mosaic).

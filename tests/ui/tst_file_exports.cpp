@@ -107,6 +107,8 @@ void TestFileExports::eachChoiceIsOneObject_data() {
       "1.2.840.10008.5.1.4.1.1.88.33");
   row("The key images of its study as a list for archives", "key-images.dcm",
       "1.2.840.10008.5.1.4.1.1.88.59");
+  row("Window and measurements of the series as a presentation state", "presentation.dcm",
+      "1.2.840.10008.5.1.4.1.1.11.1");
   row("The picture in the view", "picture.dcm", "1.2.840.10008.5.1.4.1.1.7");
 }
 

@@ -8,6 +8,7 @@
 #include <QStandardPaths>
 #include <QTemporaryDir>
 
+#include "results/text/measured_text.h"
 #include "results/text/text.h"
 #include "tests/ui/leaving.h"
 #include "tests/ui/numbers_table.h"

@@ -3,15 +3,18 @@
 #include <QDir>
 #include <algorithm>
 #include <map>
+#include <numeric>
 #include <set>
 
 #include "io/export/export_segments.h"
 #include "io/export/key_objects_dicom.h"
+#include "io/export/presentation_state.h"
 #include "io/export/report_dicom.h"
 #include "io/export/rtstruct.h"
 #include "io/export/slice_stack.h"
 #include "io/load.h"
 #include "io/study/frame_series.h"
+#include "results/numbers/shapes_presentation.h"
 #include "results/numbers/shapes_report.h"
 #include "results/text/text.h"
 #include "ui/controller/segments_on_slices.h"
@@ -87,20 +90,20 @@ FileOffer offerOfStructureSet(const std::vector<SegmentMap>& maps, const Series&
 // The measurements of a study, as they are when an export is requested.
 struct MeasuredStudy {
   Study study;
-  std::vector<ShapeToReport> shapes;
+  std::vector<ShapeToMeasure> shapes;
   std::vector<SeriesKey> of;                    // the series of each shape
   std::map<SeriesKey, Series> series;           // those that shapes in space are measured in
   std::map<SeriesKey, LoadedSeriesPtr> held{};  // those of them that are in memory
 
   // Returns the volume of a series, which is read unless it is in memory.
-  Result<ReportedVolume> volumeOf(const SeriesKey& key, const Job& job) const {
+  Result<ShapesVolume> volumeOf(const SeriesKey& key, const Job& job) const {
     if (const auto found = held.find(key); found != held.end())
-      return ReportedVolume{found->second->series, found->second->volume, found->second->origins,
-                            found->second->places};
+      return ShapesVolume{found->second->series, found->second->volume, found->second->origins,
+                          found->second->places};
     const Series& named = series.at(key);
     auto loaded = loadSeries(named, job.progress(), job.cancel());
     if (!loaded) return loaded.error();
-    return ReportedVolume{named, loaded->drawn, loaded->origins, loaded->places};
+    return ShapesVolume{named, loaded->drawn, loaded->origins, loaded->places};
   }
 };
 
@@ -120,8 +123,11 @@ MeasuredStudy measuredIn(const Session& session, const Study& study, const std::
   return all;
 }
 
-Result<LeavingFiles> reported(MeasuredStudy measured, const std::string& path, const Job& job) {
-  std::map<SeriesKey, ReportedVolume> volumes;
+using VolumesOfShapes = std::map<SeriesKey, ShapesVolume>;
+
+// Reads the volumes that shapes in space are measured in. The shapes refer to the result.
+Result<VolumesOfShapes> readVolumes(MeasuredStudy& measured, const Job& job) {
+  VolumesOfShapes volumes;
   for (std::size_t n = 0; n < measured.shapes.size(); ++n) {
     if (measured.shapes[n].shape.frame) continue;
     const SeriesKey& key = measured.of[n];
@@ -132,6 +138,12 @@ Result<LeavingFiles> reported(MeasuredStudy measured, const std::string& path, c
     }
     measured.shapes[n].volume = &volumes.at(key);
   }
+  return volumes;
+}
+
+Result<LeavingFiles> reported(MeasuredStudy measured, const std::string& path, const Job& job) {
+  const auto volumes = readVolumes(measured, job);
+  if (!volumes) return volumes.error();
   std::vector<Series> frames = frameSeries(measured.study);
   frames.insert(frames.end(), measured.study.volumes.begin(), measured.study.volumes.end());
   const auto made = reportOfShapes(measured.shapes, measured.study, frames, job.cancel());
@@ -143,6 +155,22 @@ Result<LeavingFiles> reported(MeasuredStudy measured, const std::string& path, c
   const auto notes = writeReport(made->report, *source, path);
   if (!notes) return notes.error();
   return LeavingFiles{{path}, texts(made->notes) + texts(*notes)};
+}
+
+Result<LeavingFiles> presented(MeasuredStudy measured, const SeriesPictures& pictures,
+                               const std::optional<Window>& window, const std::string& path, const Job& job) {
+  const auto volumes = readVolumes(measured, job);
+  if (!volumes) return volumes.error();
+  auto shown = greysOfPictures(pictures, window, job.cancel());
+  if (!shown) return shown.error();
+  if (Status s = drawShapes(measured.shapes, pictures, *shown, job.cancel()); !s) return s.error();
+  ObjectTags tags;
+  tags.description = "Presentation state";
+  tags.seriesNumber = nextSeriesNumber(measured.study, pictures.series.studyUid);
+  const auto notes = writePresentationState(shown->presentation, pictures.series, shown->first, tags, path,
+                                            job.progress(), job.cancel());
+  if (!notes) return notes.error();
+  return LeavingFiles{{path}, texts(shown->notes) + texts(*notes)};
 }
 
 FileOffer offerOfMeasurements(const MeasuredStudy& measured) {
@@ -183,15 +211,19 @@ std::vector<ReferencedPicture> keyImagesIn(const Session& session, const std::st
 
 }  // namespace
 
+Study openStudyOf(const OpenStudies& open, const Series& series) {
+  std::vector<const Study*> studies;
+  for (const OpenStudy& each : open.all()) studies.push_back(each.study.get());
+  return studyOfUid(studies, series.studyUid);
+}
+
 std::vector<FileOffer> offersOf(const Series& shown, const std::vector<SegmentMap>& maps,
                                 const Session& session, const OpenStudies& open) {
   const auto name = [](const char* text) { return QString::fromLatin1(text); };
   std::vector<FileOffer> offers{
       offerOfFiles(tr("The series in the view"), name("series"), openFilesOf(open, shown, false)),
       offerOfFiles(tr("All open series of its study"), name("study"), openFilesOf(open, shown, true))};
-  std::vector<const Study*> studies;
-  for (const OpenStudy& each : open.all()) studies.push_back(each.study.get());
-  const Study study = studyOfUid(studies, shown.studyUid);
+  const Study study = openStudyOf(open, shown);
   if (!maps.empty()) {
     offers.push_back(offerOfSegmentation(maps, shown));
     offers.push_back(offerOfStructureSet(maps, shown, study));
@@ -201,6 +233,23 @@ std::vector<FileOffer> offersOf(const Series& shown, const std::vector<SegmentMa
   if (const auto pictures = keyImagesIn(session, shown.studyUid); !pictures.empty())
     offers.push_back(offerOfKeyImages(pictures, study));
   return offers;
+}
+
+FileOffer offerOfPresentation(const Series& shown, const std::optional<Window>& window,
+                              const Session& session, const OpenStudies& open) {
+  const QString name = QStringLiteral("presentation");
+  SeriesPictures pictures{shown, std::vector<int>(shown.files.size())};
+  std::iota(pictures.indices.begin(), pictures.indices.end(), 0);
+  MeasuredStudy measured = measuredIn(session, openStudyOf(open, shown), shown.studyUid);
+  for (std::size_t n = measured.shapes.size(); n-- > 0;)
+    if (measured.of[n] != keyOf(shown)) {
+      measured.shapes.erase(measured.shapes.begin() + std::ptrdiff_t(n));
+      measured.of.erase(measured.of.begin() + std::ptrdiff_t(n));
+    }
+  return {tr("Window and measurements of the series as a presentation state"), name,
+          [measured, pictures, window, name](const QString& folder, const Job& job) {
+            return presented(measured, pictures, window, pathIn(folder, name), job);
+          }};
 }
 
 FileOffer offerOfSlices(const LoadedSeriesPtr& shown, const SlicePlane& plane, int seriesNumber) {

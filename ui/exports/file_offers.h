@@ -1,10 +1,12 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "io/export/secondary_capture.h"
+#include "io/study/study.h"
 #include "results/segments/segment_map.h"
 #include "results/series/loaded_series.h"
 #include "ui/document/job_lane.h"
@@ -39,6 +41,14 @@ struct FileOffer {
 /// `maps`, measurements and key images as DICOM objects.
 std::vector<FileOffer> offersOf(const Series& shown, const std::vector<SegmentMap>& maps,
                                 const Session& session, const OpenStudies& open);
+
+/// Returns all that is open of the study of a series.
+Study openStudyOf(const OpenStudies& open, const Series& series);
+
+/// Returns an offer of how the acquired pictures of a series are shown: in `window`, by default in their own,
+/// with its measurements.
+FileOffer offerOfPresentation(const Series& shown, const std::optional<Window>& window,
+                              const Session& session, const OpenStudies& open);
 
 /// Returns an offer of slices through a whole series like `plane`, in its slab and interpolation, as a
 /// derived series of this number.

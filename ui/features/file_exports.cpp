@@ -1,7 +1,6 @@
 #include <QTemporaryDir>
 
 #include "io/study/faces.h"
-#include "results/numbers/shapes_report.h"
 #include "results/text/text.h"
 #include "ui/controller/segment_target.h"
 #include "ui/exports/flat_pictures.h"
@@ -87,11 +86,9 @@ void FileExports::offerShown(const QString& archive) {
 
 // Adds the picture of the view in focus, slices like it or a turn of a 3D view, as they are now.
 void FileExports::addOfView(std::vector<FileOffer>& offers, const Series& shown) const {
-  std::vector<const Study*> studies;
-  for (const OpenStudy& each : open_.all()) studies.push_back(each.study.get());
   FileOffer offer{tr("The picture in the view"), QStringLiteral("picture")};
   offer.series = shown;
-  offer.tags.seriesNumber = nextSeriesNumber(studyOfUid(studies, shown.studyUid), shown.studyUid);
+  offer.tags.seriesNumber = nextSeriesNumber(openStudyOf(open_, shown), shown.studyUid);
   if (auto* flat = qobject_cast<FlatView*>(grid_.viewShown()); flat && flat->shown()) {
     offer.tags.description = "Picture of a slice";
     offer.tags.showsFace = false;
@@ -107,6 +104,8 @@ void FileExports::addOfView(std::vector<FileOffer>& offers, const Series& shown)
     const auto plane = flat->plane();
     if (plane && showsSlices(flat->state().kind))
       offers.push_back(offerOfSlices(flat->shown(), *plane, offer.tags.seriesNumber));
+    if (const auto window = flat->windowShown())
+      offers.push_back(offerOfPresentation(shown, window, session_, open_));
   }
   if (!qobject_cast<VolumeView*>(grid_.viewShown()) || !session_.series()) return;
   offer.tags.description = "Volume rendering";

@@ -1,6 +1,7 @@
-#include "app/exports/picture_greys.h"
+#include "results/pictures/picture_greys.h"
 
 #include <algorithm>
+#include <map>
 
 #include "io/frames.h"
 
@@ -76,7 +77,7 @@ bool areAlike(const Frame& a, const Frame& b) {
 /// Reads pictures one by one.
 class GreysReader {
  public:
-  GreysReader(const ChosenPictures& chosen, const std::optional<Window>& window)
+  GreysReader(const SeriesPictures& chosen, const std::optional<Window>& window)
       : chosen_(chosen), window_(window) {}
 
   Status add(int index) {
@@ -117,7 +118,7 @@ class GreysReader {
   }
 
  private:
-  const ChosenPictures& chosen_;
+  const SeriesPictures& chosen_;
   const std::optional<Window>& window_;
   std::vector<PictureGrey> pictures_;
   PictureGreys greys_;
@@ -125,7 +126,20 @@ class GreysReader {
 
 }  // namespace
 
-Result<PictureGreys> greysOfPictures(const ChosenPictures& chosen, const std::optional<Window>& window,
+std::vector<ReferencedPicture> picturesAt(const Series& series, const std::vector<int>& indices) {
+  std::vector<ReferencedPicture> all;
+  std::map<std::string, std::size_t> known;
+  for (const int index : indices) {
+    const auto n = std::size_t(index);
+    const auto [at, isNew] = known.try_emplace(series.sopInstanceUids[n], all.size());
+    if (isNew) all.push_back({series.sopInstanceUids[n], {}, {}, {}});
+    all[at->second].frames.push_back(series.frames[n]);
+  }
+  for (ReferencedPicture& picture : all) std::ranges::sort(picture.frames);
+  return all;
+}
+
+Result<PictureGreys> greysOfPictures(const SeriesPictures& chosen, const std::optional<Window>& window,
                                      const CancelToken& cancel) {
   GreysReader reader(chosen, window);
   for (const int index : chosen.indices) {

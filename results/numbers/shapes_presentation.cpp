@@ -1,0 +1,73 @@
+#include "results/numbers/shapes_presentation.h"
+
+#include "results/numbers/annotation_of_shape.h"
+#include "results/series/loaded_frame.h"
+#include "results/text/measured_text.h"
+#include "results/text/text.h"
+
+namespace volumen {
+
+namespace {
+
+constexpr const char* shapesLayer = "MEASUREMENTS";
+
+// Returns the name of a shape, and its number below.
+std::string wordsOf(const Shape& shape, const std::optional<Measured>& measured) {
+  QStringList lines;
+  if (!shape.name.empty()) lines << shownText(shape.name);
+  if (measured) lines << measuredLines(shape, *measured);
+  return lines.join(QStringLiteral("\r\n")).toStdString();
+}
+
+// Returns where a shape is on the pictures; empty if it is on a frame of others.
+std::optional<MeasuredOn> placeOf(const ShapeToMeasure& one, const SeriesPictures& pictures,
+                                  glm::dvec2 pixelMm) {
+  if (!one.shape.frame) return placeIn(*one.volume);
+  const auto frame = frameMeant(pictures.series, *one.shape.frame);
+  if (!frame) return {};
+  return MeasuredOn{&pictures.series, {}, {}, {}, false, *frame, pixelMm};
+}
+
+// Adds a shape, or returns in `why` the reason to leave it out.
+Status draw(const ShapeToMeasure& one, const SeriesPictures& pictures, Presentation& shown,
+            glm::dvec2 pixelMm, const char*& why, const CancelToken& cancel) {
+  why = "is on none of the pictures";
+  const auto place = placeOf(one, pictures, pixelMm);
+  if (!place) return {};
+  std::optional<Measured> measured;
+  if (!ruleOf(one.shape.kind).numberless) {
+    auto found = measuredShape(one, {pictures.series}, cancel).measured;
+    if (!found) return found.error();
+    measured = *std::move(found);
+  }
+  const auto drawn = annotationOf(one.shape, *place, wordsOf(one.shape, measured), shapesLayer);
+  if (!drawn) return why = "does not lie within one slice as acquired", Status();
+  const ReferencedPicture& picture = drawn->picture;
+  if (!namesFrame(shown.pictures, picture.sopInstanceUid, picture.frames[0])) return {};
+  if (drawn->graphics.empty() && !drawn->text) return why = "has no text", Status();
+  Presentation::Annotations part{{picture}, drawn->graphics, {}};
+  if (drawn->text) part.texts.push_back(*drawn->text);
+  shown.annotations.push_back(std::move(part));
+  why = nullptr;
+  return {};
+}
+
+}  // namespace
+
+Status drawShapes(std::span<const ShapeToMeasure> shapes, const SeriesPictures& pictures, PictureGreys& shown,
+                  const CancelToken& cancel) {
+  Presentation& p = shown.presentation;
+  for (const ShapeToMeasure& one : shapes) {
+    if (cancel.cancelled()) break;
+    const char* why = nullptr;
+    if (Status s = draw(one, pictures, p, shown.first.pixel.mm, why, cancel); !s)
+      return Error{one.name + ": " + s.message()};
+    if (why) shown.notes.push_back(one.name + " " + why + " and is left out.");
+  }
+  p.label = shapesLayer;
+  if (!p.annotations.empty())
+    p.layers.push_back({.name = shapesLayer, .description = "Measurements", .colour = {}});
+  return {};
+}
+
+}  // namespace volumen
