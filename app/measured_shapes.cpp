@@ -60,12 +60,13 @@ Result<ShapeSources> openForShapes(const std::string& path, const std::string& s
   if (std::ranges::none_of(shapes, isOnFrame)) return sources;
   const Result<Study> study = openPath(path, {}, cancel);
   if (!study) return study.error();
-  sources.frames = frameSeries(*study);
-  sources.frames.insert(sources.frames.end(), study->volumes.begin(), study->volumes.end());
+  std::vector<Series> frames = frameSeries(*study);
+  frames.insert(frames.end(), study->volumes.begin(), study->volumes.end());
+  sources.frames = FramesToMeasure(std::move(frames));
   return sources;
 }
 
-MeasuredShape measuredShape(const Shape& shape, const ShapeSources& sources, const ValueScale& scale,
+MeasuredShape measuredShape(const Shape& shape, ShapeSources& sources, const ValueScale& scale,
                             const std::string& unit, const CancelToken& cancel) {
   if (shape.frame)
     return measuredOnFrame(shape, sources.frames,

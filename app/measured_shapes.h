@@ -27,7 +27,7 @@ std::string shapeWords(const std::vector<Shape>& shapes, std::size_t n);
 /// The sources to measure shapes on, as far as they are needed.
 struct ShapeSources {
   std::optional<Opened> volume;
-  std::vector<Series> frames;
+  FramesToMeasure frames;
 };
 /// Opens the series `series` of a path unless all shapes are on frames, and its frames if shapes are on some.
 /// `needsVolume`: the volume is needed besides.
@@ -36,7 +36,7 @@ Result<ShapeSources> openForShapes(const std::string& path, const std::string& s
                                    const CancelToken& cancel);
 
 /// Measures a shape on its frame, or in the volume, whose values have `scale`. `unit` as for scaleFor().
-MeasuredShape measuredShape(const Shape& shape, const ShapeSources& sources, const ValueScale& scale,
+MeasuredShape measuredShape(const Shape& shape, ShapeSources& sources, const ValueScale& scale,
                             const std::string& unit, const CancelToken& cancel);
 
 /// Returns the volume of the sources, if there is one, to measure shapes in.

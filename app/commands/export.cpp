@@ -1,3 +1,4 @@
+#include <QTemporaryDir>
 #include <filesystem>
 #include <iostream>
 #include <memory>
@@ -114,8 +115,6 @@ int sendWritten(const OutputTarget& target, Json written, bool json, int status,
 }
 
 int writeFormat(const ExportFormat& format, const ExportOptions& options, const CancelToken& cancel) {
-  if (!options.kept.empty() || options.retained.shiftDays != 0 || !options.keyFile.empty())
-    return failUsage("--keep, --shift-dates and --key go with --deidentify.");
   const auto target = OutputTarget::of(options.job.output);
   if (!target) return fail(target.message());
   if (target->archive() && !format.isDicom)
@@ -146,11 +145,6 @@ int deidentify(const ExportOptions& options, const CancelToken& cancel) {
   const ExportJob& job = options.job;
   const auto target = OutputTarget::of(job.output);
   if (!target) return fail(target.message());
-  if (!target->archive() && isWithin(job.output, job.path))
-    return failUsage(job.output + " lies within " + job.path + ": name another folder.");
-  const bool keepsDates = std::ranges::find(options.kept, "dates") != options.kept.end();
-  if (keepsDates && options.retained.shiftDays != 0)
-    return failUsage("Dates are kept or shifted, not both: leave out \"dates\" or --shift-dates.");
   const auto how = deidentificationOf(options);
   if (!how) return fail(how.message());
   const auto files = filesOfPath(job.path, terminalProgress(), cancel);
@@ -168,9 +162,43 @@ int deidentify(const ExportOptions& options, const CancelToken& cancel) {
   return status;
 }
 
+// Writes the format into a temporary folder, and copies of that without identity.
+int writeWithoutIdentity(const ExportFormat& format, const ExportOptions& options,
+                         const CancelToken& cancel) {
+  if (!format.isDicom)
+    return failUsage(std::string("--as ") + format.name + " writes no DICOM: leave --deidentify out.");
+  const QTemporaryDir folder;
+  if (!folder.isValid()) return fail("Cannot make a temporary folder: free some space.");
+  ExportOptions made = options;
+  made.job.path = folder.path().toStdString();
+  ExportJob job = options.job;
+  job.output = made.job.path + "/made.dcm";  // a folder, if the format is a series
+  const Result<Exported> done = format.write(job, cancel);
+  if (!done) return fail(done.message(), cancel);
+  printNotes(done->notes);
+  const int status = deidentify(made, cancel);
+  return status == exitDone ? statusWith(done->unread) : status;
+}
+
+// The Error (wrong usage): options of --deidentify do not fit.
+Status checkIdentity(const ExportOptions& options) {
+  const ExportJob& job = options.job;
+  if (!options.deidentifies) {
+    if (options.kept.empty() && options.retained.shiftDays == 0 && options.keyFile.empty()) return {};
+    return Error{"--keep, --shift-dates and --key go with --deidentify."};
+  }
+  if (isWithin(job.output, job.path))
+    return Error{job.output + " lies within " + job.path + ": name another folder."};
+  const bool keepsDates = std::ranges::find(options.kept, "dates") != options.kept.end();
+  if (keepsDates && options.retained.shiftDays != 0)
+    return Error{"Dates are kept or shifted, not both: leave out \"dates\" or --shift-dates."};
+  return {};
+}
+
 int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) {
-  if (options.format.empty() != options.deidentifies)
-    return failUsage("Say what leaves: either --as FORMAT or --deidentify.");
+  if (options.format.empty() && !options.deidentifies)
+    return failUsage("Say what leaves: --as FORMAT, --deidentify or both.");
+  if (Status s = checkIdentity(options); !s) return failUsage(s.message());
   const auto formats = exportFormats();
   const auto format = std::ranges::find(formats, options.format, &ExportFormat::name);
   const bool isKnown = format != formats.end();
@@ -179,7 +207,8 @@ int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) 
   if (Status s = settlePlane(app, options.job); !s) return failUsage(s.message());
   if (format->check)
     if (Status s = format->check(options.job); !s) return failUsage(s.message());
-  return writeFormat(*format, options, cancel);
+  return options.deidentifies ? writeWithoutIdentity(*format, options, cancel)
+                              : writeFormat(*format, options, cancel);
 }
 
 }  // namespace

@@ -47,7 +47,7 @@ void addNotes(Opened& opened, const ValueScale& scale, bool hasShapes) {
 }
 
 // `used` receives the series of the measured images.
-nlohmann::ordered_json measurementsOf(const std::vector<Shape>& shapes, const ShapeSources& sources,
+nlohmann::ordered_json measurementsOf(const std::vector<Shape>& shapes, ShapeSources& sources,
                                       const ValueScale& scale, const MeasureOptions& options,
                                       std::vector<const Series*>& used, const CancelToken& cancel) {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();

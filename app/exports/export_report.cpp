@@ -19,7 +19,7 @@ Status addShapes(const ExportJob& job, const Study& study, Report& report, Expor
                  const CancelToken& cancel) {
   const auto shapes = readShapes(job.shapes);
   if (!shapes) return shapes.error();
-  const auto sources = openForShapes(job.path, job.series, *shapes, false, {}, cancel);
+  auto sources = openForShapes(job.path, job.series, *shapes, false, {}, cancel);
   if (!sources) return sources.error();
   if (const auto& opened = sources->volume) exported = {opened->notes, opened->loaded.unread, {}};
   const ShapesVolume volume = volumeOf(*sources);

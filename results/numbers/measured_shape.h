@@ -9,6 +9,7 @@
 #include "io/study/series.h"
 #include "io/study/suv.h"
 #include "results/numbers/shape_places.h"
+#include "results/series/loaded_frame.h"
 #include "viewer/measure/measure.h"
 #include "viewer/volume/cancel.h"
 
@@ -40,12 +41,30 @@ struct ShapeToMeasure {
 /// Returns the scale of a series' values.
 using ScaleOf = std::function<Result<ValueScale>(const Series& series)>;
 
-/// Reads the frame of a shape, which is in one of the series, and measures the shape on it.
-MeasuredShape measuredOnFrame(const Shape& shape, const std::vector<Series>& all, const ScaleOf& scaleOf);
+/// Series whose frames shapes are measured on. Keeps the frame that was read last, as shapes often share one.
+class FramesToMeasure {
+ public:
+  explicit FramesToMeasure(std::vector<Series> all = {}) : all_(std::move(all)) {}
+
+  /// Returns the frame of a shape, and its series and index there. The Error: no series has it, or it cannot
+  /// be read.
+  struct Found {
+    const Series* series = nullptr;
+    int index = 0;
+    Result<LoadedFramePtr> frame;
+  };
+  Result<Found> find(const ShapeFrame& name);
+
+ private:
+  std::vector<Series> all_;
+  LoadedFramePtr last_;
+};
+
+/// Measures a shape on its frame.
+MeasuredShape measuredOnFrame(const Shape& shape, FramesToMeasure& frames, const ScaleOf& scaleOf);
 
 /// Measures a shape in its volume or on one of the frames, with values in SUVbw where there is SUV.
-MeasuredShape measuredShape(const ShapeToMeasure& one, const std::vector<Series>& frames,
-                            const CancelToken& cancel);
+MeasuredShape measuredShape(const ShapeToMeasure& one, FramesToMeasure& frames, const CancelToken& cancel);
 
 /// Returns the images that a shape is measured on, in a volume or on a frame. The result refers to the
 /// argument.

@@ -29,14 +29,14 @@ std::optional<MeasuredOn> placeOf(const ShapeToMeasure& one, const SeriesPicture
 }
 
 // Adds a shape, or returns in `why` the reason to leave it out.
-Status draw(const ShapeToMeasure& one, const SeriesPictures& pictures, Presentation& shown,
-            glm::dvec2 pixelMm, const char*& why, const CancelToken& cancel) {
+Status draw(const ShapeToMeasure& one, const SeriesPictures& pictures, FramesToMeasure& frames,
+            Presentation& shown, glm::dvec2 pixelMm, const char*& why, const CancelToken& cancel) {
   why = "is on none of the pictures";
   const auto place = placeOf(one, pictures, pixelMm);
   if (!place) return {};
   std::optional<Measured> measured;
   if (!ruleOf(one.shape.kind).numberless) {
-    auto found = measuredShape(one, {pictures.series}, cancel).measured;
+    auto found = measuredShape(one, frames, cancel).measured;
     if (!found) return found.error();
     measured = *std::move(found);
   }
@@ -57,10 +57,11 @@ Status draw(const ShapeToMeasure& one, const SeriesPictures& pictures, Presentat
 Status drawShapes(std::span<const ShapeToMeasure> shapes, const SeriesPictures& pictures, PictureGreys& shown,
                   const CancelToken& cancel) {
   Presentation& p = shown.presentation;
+  FramesToMeasure frames({pictures.series});
   for (const ShapeToMeasure& one : shapes) {
     if (cancel.cancelled()) break;
     const char* why = nullptr;
-    if (Status s = draw(one, pictures, p, shown.first.pixel.mm, why, cancel); !s)
+    if (Status s = draw(one, pictures, frames, p, shown.first.pixel.mm, why, cancel); !s)
       return Error{one.name + ": " + s.message()};
     if (why) shown.notes.push_back(one.name + " " + why + " and is left out.");
   }

@@ -12,7 +12,7 @@ namespace {
 
 class Reporter {
  public:
-  Reporter(const Study& study, const std::vector<Series>& frames, const CancelToken& cancel)
+  Reporter(const Study& study, FramesToMeasure& frames, const CancelToken& cancel)
       : study_(study), frames_(frames), cancel_(cancel) {}
 
   Status add(const ShapeToMeasure& one) {
@@ -57,7 +57,7 @@ class Reporter {
   }
 
   const Study& study_;
-  const std::vector<Series>& frames_;
+  FramesToMeasure& frames_;
   const CancelToken& cancel_;
   std::map<const ShapesVolume*, bool> tiled_;
 };
@@ -73,7 +73,7 @@ Result<bool> isMosaic(const Study& study, const Series& series) {
 }
 
 Result<ShapesReport> reportOfShapes(std::span<const ShapeToMeasure> shapes, const Study& study,
-                                    const std::vector<Series>& frames, const CancelToken& cancel) {
+                                    FramesToMeasure& frames, const CancelToken& cancel) {
   Reporter reporter(study, frames, cancel);
   for (const ShapeToMeasure& one : shapes) {
     if (cancel.cancelled()) break;

@@ -22,7 +22,7 @@ struct ShapesReport {
 /// without number are left out. `study` has the instances of all volumes. The Error begins with the name of
 /// the shape that a report cannot hold; it is empty if no shape has a number.
 Result<ShapesReport> reportOfShapes(std::span<const ShapeToMeasure> shapes, const Study& study,
-                                    const std::vector<Series>& frames, const CancelToken& cancel);
+                                    FramesToMeasure& frames, const CancelToken& cancel);
 
 /// Returns whether all slices of a series are tiles of one image without frames (mosaic).
 Result<bool> isMosaic(const Study& study, const Series& series);

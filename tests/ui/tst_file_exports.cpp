@@ -9,7 +9,7 @@
 #include "io/open.h"
 #include "io/report.h"
 #include "tests/ui/leaving.h"
-#include "tests/ui/segment_window.h"
+#include "tests/ui/marked_window.h"
 #include "tests/unit/suite.h"
 #include "viewer/phantoms/phantoms.h"
 
@@ -19,21 +19,9 @@ using namespace volumen::tests;
 namespace {
 
 // A CT of a head with a name, and a window on it with a length, a key image and a segment.
-struct ExportWindow : SegmentWindow {
-  explicit ExportWindow(const QString& path) : SegmentWindow(QStringList{path}) {}
+struct ExportWindow : MarkedWindow {
+  using MarkedWindow::MarkedWindow;
 
-  bool prepare() {
-    if (!settle()) return false;
-    child<QAction>("layoutPlanes")->trigger();
-    session().setFocus(axialViewId);
-    if (!QTest::qWaitFor([&] { return view() && !view()->picture().isNull(); }, longest)) return false;
-    draw(ShapeKind::length, {{100, 100}, {160, 120}});
-    session().select(0);
-    view()->setFocus();
-    QTest::keyClick(&window, Qt::Key_K);
-    child<QDockWidget>("segmentDock")->raise();
-    return make(-100, 100) && QTest::qWaitFor([&] { return view()->isMeasured(); }, longest);
-  }
   QString status() { return child<QLabel>("toldText")->text(); }
 
   // Chooses what leaves by keys in the dialog. Returns whether it is offered.

@@ -9,9 +9,9 @@
 
 #include "io/export/dicom_series.h"
 #include "tests/ui/leaving.h"
+#include "tests/ui/marked_window.h"
 #include "tests/ui/numbers_table.h"
 #include "tests/ui/pdf_images.h"
-#include "tests/ui/segment_window.h"
 #include "tests/unit/suite.h"
 #include "viewer/phantoms/phantoms.h"
 
@@ -45,24 +45,11 @@ Left leftIn(const QString& path) {
 }
 
 // A head with these tags in planes, with a length, a key image and a segment.
-struct LeavingWindow : SegmentWindow {
+struct LeavingWindow : MarkedWindow {
   QTemporaryDir folder;
 
-  explicit LeavingWindow(const QString& path) : SegmentWindow(QStringList{path}) {}
+  using MarkedWindow::MarkedWindow;
 
-  bool prepare() {
-    if (!settle()) return false;
-    child<QAction>("layoutPlanes")->trigger();
-    session().setFocus(axialViewId);
-    if (!QTest::qWaitFor([&] { return view() && !view()->picture().isNull(); }, longest)) return false;
-    draw(ShapeKind::length, {{100, 100}, {160, 120}});
-    session().select(0);
-    view()->setFocus();
-    QTest::keyClick(&window, Qt::Key_K);
-    click("segmentFromCurve");
-    return make(-100, 100) && QTest::qWaitFor([&] { return view()->isMeasured(); }, longest) &&
-           QTest::qWaitFor([&] { return window.view()->hasItsPicture(); }, longest);
-  }
   void tickSnapshot(bool on) {
     for (const char* box : {"snapshotLetters", "snapshotScaleBar", "snapshotPatient"})
       child<QCheckBox>(box)->setChecked(on);

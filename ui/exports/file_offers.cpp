@@ -144,8 +144,9 @@ Result<VolumesOfShapes> readVolumes(MeasuredStudy& measured, const Job& job) {
 Result<LeavingFiles> reported(MeasuredStudy measured, const std::string& path, const Job& job) {
   const auto volumes = readVolumes(measured, job);
   if (!volumes) return volumes.error();
-  std::vector<Series> frames = frameSeries(measured.study);
-  frames.insert(frames.end(), measured.study.volumes.begin(), measured.study.volumes.end());
+  std::vector<Series> series = frameSeries(measured.study);
+  series.insert(series.end(), measured.study.volumes.begin(), measured.study.volumes.end());
+  FramesToMeasure frames(std::move(series));
   const auto made = reportOfShapes(measured.shapes, measured.study, frames, job.cancel());
   if (!made)
     return Error{made.message().empty() ? tr("No measurement has a number.").toStdString() : made.message()};

@@ -11,7 +11,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int leastLettersOfExport = 24;
+constexpr int leastLettersOfTarget = 24;
 
 }  // namespace
 
@@ -20,9 +20,9 @@ ExportDialog::ExportDialog(const QString& name, const std::vector<ExportChoice>&
                            QWidget* parent)
     : QDialog(parent),
       choices_(choices),
-      choice_(choiceField({QStringLiteral("exportChoice"), tr("What")}, {}, leastLettersOfExport)),
+      choice_(choiceField({QStringLiteral("exportChoice"), tr("What")})),
       target_(choiceField({QStringLiteral("exportTarget"), tr("Where to")}, {tr("A folder")},
-                          leastLettersOfExport)),
+                          leastLettersOfTarget)),
       hideNames_(hideNamesField(QStringLiteral("exportHideNames"))),
       deidentified_(
           flagField({QStringLiteral("exportDeidentified"), tr("Without the patient's identity"),

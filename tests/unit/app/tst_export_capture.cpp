@@ -5,9 +5,11 @@
 
 #include <QCryptographicHash>
 #include <QDir>
+#include <QDirIterator>
 #include <QImage>
 #include <QTemporaryDir>
 #include <cstring>
+#include <set>
 
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
@@ -25,6 +27,7 @@ class TestExportCapture : public QObject {
   void renderingsAreThoseOfRender();
   void turnsAreThoseOfRender();
   void slicesAreThoseOfSlice();
+  void identityIsLeftOut();
   void documentsComeBack();
   void wrongWordsAreUsage_data();
   void wrongWordsAreUsage();
@@ -147,6 +150,38 @@ void TestExportCapture::slicesAreThoseOfSlice() {
   QVERIFY(frame->rgb == rgbOfPng(png));
 }
 
+// A rendering, slices and a measured shape in one study, as their source would be.
+void TestExportCapture::identityIsLeftOut() {
+  NEED_DATA(dataPath());
+  const QString source = QString::fromStdString(dataPath("ct-chest-lidc0314-138"));
+  QFile shapes(at(QStringLiteral("shapes.json")));
+  QVERIFY(shapes.open(QIODevice::WriteOnly));
+  shapes.write(
+      R"([{"kind": "length", "name": "LIDC-IDRI-0314", "points": [[-20, 100, -599.8], [15, 130, -599.8]]}])");
+  shapes.close();
+  const QString folder = at(QStringLiteral("without"));
+  for (const QString& format : {QStringLiteral("sc --size 16x16"),
+                                QStringLiteral("series --plane coronal --mm-per-pixel 8 --spacing 80"),
+                                QStringLiteral("sr --roi ") + shapes.fileName()}) {
+    const Outcome done =
+        pictureBy(QStringLiteral("export"), source, QStringLiteral("--deidentify --as ") + format, folder);
+    QVERIFY2(done.status == 0, done.err);
+  }
+  std::set<std::string> studies, classes;
+  QDirIterator all(folder, QDir::Files, QDirIterator::Subdirectories);
+  while (all.hasNext()) {
+    const QString path = all.next();
+    QVERIFY2(!contentsOf(path).contains("LIDC-IDRI"), qPrintable(path));
+    DcmFileFormat file;
+    QVERIFY(file.loadFile(path.toStdString().c_str()).good());
+    QCOMPARE(textIn(*file.getDataset(), DCM_PatientIdentityRemoved), std::string("YES"));
+    studies.insert(textIn(*file.getDataset(), DCM_StudyInstanceUID));
+    classes.insert(textIn(*file.getDataset(), DCM_SOPClassUID));
+  }
+  QCOMPARE(studies.size(), std::size_t(1));
+  QCOMPARE(classes.size(), std::size_t(3));
+}
+
 void TestExportCapture::documentsComeBack() {
   NEED_DATA(dataPath());
   const QByteArray bytes = "%PDF-1.4\nof a report\n%%EOF\n";
@@ -184,6 +219,7 @@ void TestExportCapture::wrongWordsAreUsage_data() {
   row("a window without width", "--as sc --plane axial --window 40,0", "width must be above 0");
   row("another format's option", "--as sc --roi x.json", "--roi does not go with --as sc");
   row("a rendering's option elsewhere", "--as ko --images 1.2 --rle", "--rle does not go with --as ko");
+  row("surfaces are no DICOM", "--as stl --segments x.seg.nrrd --deidentify", "leave --deidentify out");
   row("no pdf", "--as pdf", "--as pdf needs --pdf FILE");
   row("a format's option without one", "--deidentify --turntable 3", "--turntable goes with --as");
 }

@@ -66,8 +66,8 @@ void TestExportKeyObjects::wrongInputIsRefused_data() {
   };
   const QString sr = QStringLiteral("--as sr --roi SHAPES"), ko = QStringLiteral("--as ko --images ");
   const QString uid = QString::fromLatin1(clipUid);
-  row("nothing said", {}, "", 2, "either --as FORMAT or --deidentify");
-  row("both said", QStringLiteral("--as ko --deidentify"), "", 2, "either --as FORMAT or --deidentify");
+  row("nothing said", {}, "", 2, "--as FORMAT, --deidentify or both");
+  row("options of the other one", QStringLiteral("--as ko --keep uids"), "", 2, "go with --deidentify");
   row("an unknown format", QStringLiteral("--as gif"), "", 2, "\"gif\" is not one of sr, ko");
   row("no shapes", QStringLiteral("--as sr"), "", 2, "--as sr needs --roi FILE or --segments FILE.");
   row("no images", QStringLiteral("--as ko"), "", 2, "--as ko needs --images LIST.");
