@@ -1,12 +1,16 @@
 // Prints the time from the double click on a study of an archive on this machine (dcmqrscp, Orthanc by DIMSE
 // and DICOMweb) to its first slice and to the full 3D picture, for the chest CT of 138 slices. Asserts only
 // that they appear.
+#include <QDate>
 #include <QElapsedTimer>
+#include <algorithm>
 
 #include "tests/fixtures/fixtures.h"
 #include "tests/ui/archives_window.h"
+#include "tests/ui/watchdog.h"
 #include "tests/unit/archive/orthanc_peer.h"
 #include "tests/unit/archive/peer_process.h"
+#include "tests/unit/archive/web_peer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
@@ -25,6 +29,22 @@ struct ArrivingWindow : ArchivesWindow {
   }
 };
 
+// Answers a search with up to 5,000 studies of today, from an offset on.
+QByteArray studiesFrom(const HttpRequest& request) {
+  constexpr int all = 5000, page = 200;
+  const qsizetype at = request.query.indexOf("offset=") + 7;
+  const int first = request.query.mid(at, request.query.indexOf('&', at) - at).toInt();
+  const QByteArray today = QDate::currentDate().toString(QStringLiteral("yyyyMMdd")).toLatin1();
+  QByteArray found;
+  for (int n = first; n < std::min(all, first + page); ++n) {
+    const QByteArray number = QByteArray::number(n);
+    found += (found.isEmpty() ? "" : ",") + QByteArray(R"({"0020000D": {"Value": ["1.2.9.)") + number +
+             R"("]}, "00100010": {"Value": ["P)" + number + R"("]}, "00080020": {"Value": [")" + today +
+             R"("]}, "00080061": {"Value": ["CT"]}})";
+  }
+  return httpAnswer("200 OK", "application/dicom+json", '[' + found + ']');
+}
+
 }  // namespace
 
 class BenchArriving : public QObject {
@@ -32,6 +52,7 @@ class BenchArriving : public QObject {
  private Q_SLOTS:
   void fromTheClickToThePicture_data();
   void fromTheClickToThePicture();
+  void rowsOfAnArchive();
 };
 
 void BenchArriving::fromTheClickToThePicture_data() {
@@ -80,6 +101,31 @@ void BenchArriving::fromTheClickToThePicture() {
   QVERIFY(
       QTest::qWaitFor([&] { return w.window.view()->hasItsPicture() && w.settled.count() > 0; }, longest));
   qInfo("%s: first slice after %lld ms, 3D after %lld ms", qPrintable(peer), slice, clock.elapsed());
+}
+
+void BenchArriving::rowsOfAnArchive() {
+  HttpPeer peer(studiesFrom);
+  Archive archive;
+  archive.name = "main", archive.kind = ArchiveKind::dicomweb, archive.url = peer.url().toStdString();
+  const ListedArchives list(Archives{{archive}});
+  const Studies studies;
+  ArrivingWindow w(studies.services());
+  w.child<QAction>("showBrowser")->trigger();
+  auto* watched = dynamic_cast<WatchedApplication*>(QCoreApplication::instance());
+  QVERIFY(watched);
+  QCoreApplication::processEvents();
+  watched->takeMostMs();
+  QElapsedTimer clock;
+  clock.start();
+  QVERIFY(w.choose("main"));
+  const auto rows = [&] { return w.tree()->model()->rowCount(); };
+  QVERIFY(QTest::qWaitFor([&] { return rows() > 0; }, longest));
+  const qint64 first = clock.elapsed();
+  QVERIFY(QTest::qWaitFor([&] { return rows() >= 5000; }, longest));
+  qInfo(
+      "5,000 studies: first rows after %lld ms, all after %lld ms; longest event of the window %.0f ms of "
+      "CPU",
+      first, clock.elapsed(), watched->takeMostMs());
 }
 
 VOLUMEN_TEST(BenchArriving);

@@ -3,11 +3,16 @@
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
+#include <QMimeData>
+#include <QTreeWidgetItemIterator>
+#include <memory>
+
 #include "io/export/dicom_series.h"
 #include "io/export/read_segments.h"
 #include "io/load.h"
 #include "io/open.h"
 #include "io/report.h"
+#include "tests/fixtures/program.h"
 #include "tests/ui/leaving.h"
 #include "tests/ui/marked_window.h"
 #include "tests/unit/suite.h"
@@ -66,6 +71,7 @@ class TestFileExports : public QObject {
   void slicesAreLikeThoseInTheView();
   void namesAreHiddenInPictures();
   void identityIsLeftOut();
+  void draggedSeriesAreFiles();
   void whatFailsLeavesNothing();
   void cancelledTurnLeavesNothing();
   void nothingToExportIsSaid();
@@ -251,6 +257,34 @@ void TestFileExports::identityIsLeftOut() {
       QVERIFY(textIn(file, DCM_BurnedInAnnotation) != "YES");
     }
   }
+  w.window.end();
+}
+
+// Those of the disk, for other programs; a drop on this window opens nothing again. Files have the identity,
+// so none are given while exports leave it out.
+void TestFileExports::draggedSeriesAreFiles() {
+  ExportWindow w(ct_);
+  QVERIFY(w.settle());
+  auto* tree = w.child<QTreeWidget>("studyTree");
+  std::unique_ptr<QMimeData> dragged;
+  for (QTreeWidgetItemIterator it(tree); *it && !dragged; ++it)
+    dragged.reset(tree->model()->mimeData({tree->indexFromItem(*it)}));
+  QVERIFY(dragged);
+  QStringList files;
+  for (const QUrl& url : dragged->urls()) files << url.toLocalFile();
+  files.sort();
+  QCOMPARE(files, filesAt(ct_));
+  const auto opened = w.window.document().open.all().size();
+  QDropEvent drop(QPointF(5, 5), Qt::CopyAction, dragged.get(), Qt::LeftButton, Qt::NoModifier);
+  QCoreApplication::sendEvent(&w.window, &drop);
+  QVERIFY(w.idle());
+  QCOMPARE(w.window.document().open.all().size(), opened);
+  w.session().prefer([](Preferences& p) { p.exportsWithoutIdentity = true; });
+  for (QTreeWidgetItemIterator it(tree); *it; ++it) {
+    const std::unique_ptr<QMimeData> now(tree->model()->mimeData({tree->indexFromItem(*it)}));
+    QVERIFY(!now || !now->hasUrls());
+  }
+  w.session().prefer([](Preferences& p) { p.exportsWithoutIdentity = false; });
   w.window.end();
 }
 

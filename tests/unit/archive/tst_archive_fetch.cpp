@@ -57,7 +57,7 @@ void TestArchiveFetch::fetchedInstancesAreThoseOfTheArchive() {
     const QJsonObject told = QJsonDocument::fromJson(done.out).object();
     const QStringList files = filesBelow(folder);
     QCOMPARE(told[QStringLiteral("fetched")].toInt(), files.size());
-    QCOMPARE(files.size(), m.uid == archivedStudies[0].uid ? 2 : 1);
+    QCOMPARE(files.size(), qstrcmp(m.uid, archivedStudies[0].uid) == 0 ? 2 : 1);
     for (const QString& file : files) {
       const Instance fetched = instanceIn(file);
       const QString source = QString::fromStdString(fetched.seriesUid) + QStringLiteral(".dcm");
