@@ -265,6 +265,10 @@ void TestFileExports::identityIsLeftOut() {
 void TestFileExports::draggedSeriesAreFiles() {
   ExportWindow w(ct_);
   QVERIFY(w.settle());
+  const auto leaveIdentityOut = [&](bool on) {
+    w.session().prefer([on](Preferences& p) { p.exportsWithoutIdentity = on; });
+  };
+  leaveIdentityOut(false);
   auto* tree = w.child<QTreeWidget>("studyTree");
   std::unique_ptr<QMimeData> dragged;
   for (QTreeWidgetItemIterator it(tree); *it && !dragged; ++it)
@@ -279,12 +283,12 @@ void TestFileExports::draggedSeriesAreFiles() {
   QCoreApplication::sendEvent(&w.window, &drop);
   QVERIFY(w.idle());
   QCOMPARE(w.window.document().open.all().size(), opened);
-  w.session().prefer([](Preferences& p) { p.exportsWithoutIdentity = true; });
+  leaveIdentityOut(true);
   for (QTreeWidgetItemIterator it(tree); *it; ++it) {
     const std::unique_ptr<QMimeData> now(tree->model()->mimeData({tree->indexFromItem(*it)}));
     QVERIFY(!now || !now->hasUrls());
   }
-  w.session().prefer([](Preferences& p) { p.exportsWithoutIdentity = false; });
+  leaveIdentityOut(false);
   w.window.end();
 }
 
