@@ -90,8 +90,10 @@ ConfidentialityProfile::ConfidentialityProfile(const Retained& retained) {
       const bool isRow = line.size() > 9 && line[4] == ',';
       if (isRow) rows_.push_back(rowFrom(line, retained));
     }
-  const auto open = std::ranges::stable_partition(rows_, [](const Row& r) { return r.mask == 0xffffffff; });
-  exact_ = rows_.size() - open.size();
+  // Clang 14 compiles no subrange of this library, which the other stable_partition returns.
+  const auto open =
+      std::stable_partition(rows_.begin(), rows_.end(), [](const Row& r) { return r.mask == 0xffffffff; });
+  exact_ = std::size_t(open - rows_.begin());
   std::ranges::sort(rows_.begin(), rows_.begin() + std::ptrdiff_t(exact_), {}, &Row::tag);
 }
 

@@ -73,7 +73,7 @@ std::vector<int> sourcesOf(const SlicePlane& plane, const Loaded& loaded) {
     all.push_back(origin.above);
   }
   std::ranges::sort(all);
-  all.erase(std::ranges::unique(all).begin(), all.end());
+  all.erase(std::unique(all.begin(), all.end()), all.end());
   return all;
 }
 
