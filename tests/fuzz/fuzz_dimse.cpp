@@ -108,7 +108,7 @@ void ask(Association& association, int what) {
               })
         .ok();
   if (what == 2) {
-    InstanceFolder sink(folder, study, "1.2.3.1", 10);
+    InstanceFolder sink("fuzz", folder, study, "1.2.3.1", 10);
     (void)association.get(UID_GETStudyRootQueryRetrieveInformationModel, keys, sink).ok();
   }
   if (what == 3) (void)association.move(UID_MOVEStudyRootQueryRetrieveInformationModel, keys, "ME").ok();
