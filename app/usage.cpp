@@ -132,7 +132,10 @@ void addExamples(CLI::App& app, const std::vector<std::string>& lines) {
 }
 
 CLI::Option* addPath(CLI::App& app, std::string& path) {
-  return app.add_option("PATH", path, "A file, a folder, index:STUDY[/SERIES], archive:NAME/STUDY[/SERIES] or phantom:NAME[:SIZE]")
+  return app
+      .add_option(
+          "PATH", path,
+          "A file, a folder, index:STUDY[/SERIES], archive:NAME/STUDY[/SERIES] or phantom:NAME[:SIZE]")
       ->check(notEmpty("file or folder"))
       ->type_name("");
 }

@@ -16,7 +16,8 @@ const std::map<QString, QString>& table() {
       {QStringLiteral("importFolder"), QObject::tr("add archive PACS database")},
       {QStringLiteral("showBrowser"), QObject::tr("worklist patients archive database PACS")},
       {QStringLiteral("exportFiles"),
-       QObject::tr("DICOM SR RTSTRUCT SEG key object secondary capture presentation state save as share hand on CD")},
+       QObject::tr(
+           "DICOM SR RTSTRUCT SEG key object secondary capture presentation state save as share hand on CD")},
       {QStringLiteral("sendToArchive"), QObject::tr("PACS upload store export C-STORE STOW DICOM")},
       {QStringLiteral("receiveStudies"), QObject::tr("PACS listen listener Storage SCP C-STORE node")},
       {QStringLiteral("saveSession"), QObject::tr("save project workspace presentation state")},
