@@ -22,7 +22,7 @@ Status checkPictureName(const std::string& path);
 /// Adds warnings that change what is visible to a picture's text, and to its corner if `warningLine`.
 void addWarnings(QImage& image, PictureText& text, const std::vector<Warning>& warnings, bool warningLine);
 
-/// Writes a picture as PNG. with addWarnings().
+/// Writes a picture with addWarnings() as PNG.
 Status writePictureWithWarnings(QImage image, PictureText text, const std::vector<Warning>& warnings,
                                 bool warningLine, const std::string& path);
 

@@ -1,30 +1,10 @@
-#include <algorithm>
-
+#include "app/exports/chosen_pictures.h"
 #include "app/exports/exports.h"
 #include "io/export/encapsulated_pdf.h"
 #include "io/paths/open_path.h"
 #include "io/regular_file.h"
-#include "io/study/choose.h"
-#include "io/study/frame_series.h"
 
 namespace volumen {
-
-namespace {
-
-// Returns a series of the study that a document belongs to: a volume, or pictures.
-Result<Series> seriesOfDocument(const Study& study, const ExportJob& job) {
-  const std::vector<Series> pictures = frameSeries(study);
-  const auto named = std::ranges::find_if(
-      pictures, [&](const Series& one) { return one.id == job.series || one.seriesUid == job.series; });
-  if (named != pictures.end()) return *named;
-  if (study.volumes.empty() && pictures.empty()) return nothingToShow(job.path, study);
-  if (study.volumes.empty() && job.series.empty()) return pictures.front();
-  const auto chosen = chooseSeries(study, job.series);
-  if (!chosen) return chosen.error();
-  return study.volumes[*chosen];
-}
-
-}  // namespace
 
 Result<Exported> exportPdf(const ExportJob& job, const CancelToken& cancel) {
   constexpr std::uint64_t mostBytes = 1 << 30;
@@ -32,13 +12,14 @@ Result<Exported> exportPdf(const ExportJob& job, const CancelToken& cancel) {
   if (!pdf) return pdf.error();
   const Result<Study> study = openPath(job.path, {}, cancel);
   if (!study) return study.error();
-  const auto series = seriesOfDocument(*study, job);
-  if (!series) return series.error();
+  const auto chosen = choosePictures(job.path, *study, job.series, {}, {});
+  if (!chosen) return chosen.error();
   PdfTags tags;
   if (!job.title.empty()) tags.title = job.title;
   tags.description = tags.title;
-  tags.seriesNumber = nextSeriesNumber(*study, series->studyUid);
-  if (Status s = writeEncapsulatedPdf(*pdf, *series, tags, job.output, {}, cancel); !s) return s.error();
+  tags.seriesNumber = nextSeriesNumber(*study, chosen->series.studyUid);
+  if (Status s = writeEncapsulatedPdf(*pdf, chosen->series, tags, job.output, {}, cancel); !s)
+    return s.error();
   return Exported{};
 }
 

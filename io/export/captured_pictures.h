@@ -17,8 +17,8 @@ class CapturedPictures {
   CapturedPictures(std::string path, Series series, CaptureTags tags, int frames)
       : path_(std::move(path)), series_(std::move(series)), tags_(std::move(tags)), frames_(frames) {}
 
-  /// Takes the next image; what is transparent becomes black. `text` is what its PNG would say. The Error as
-  /// of SecondaryCapture.
+  /// Takes the next image; what is transparent becomes black. `text` is what its PNG would say. The Error
+  /// is one of SecondaryCapture.
   Status take(const QImage& image, const PictureText& text, const CancelToken& cancel);
   Status finish();
 

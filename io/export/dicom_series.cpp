@@ -2,8 +2,6 @@
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
@@ -18,7 +16,6 @@
 #include "io/files/aside.h"
 #include "io/files/output_file.h"
 #include "io/study/series.h"
-#include "io/worker/channel.h"
 
 namespace volumen {
 
@@ -173,23 +170,16 @@ Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const Di
   if (Status s = checkRepresentable(volume); !s) return s.error();
   if (Status s = checkDicomFolder(folder); !s) return s.error();
   const fs::path target = targetOf(folder), parent = parentOf(target);
-  sweepAside(parent.string());
-  std::string aside = (parent / asideName).string();
-  if (!::mkdtemp(aside.data()))
-    return Error{"Cannot make the folder " + folder + ": " + std::strerror(errno) + "."};
-  const worker::Descriptor claimed(::open(aside.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  claimAside(claimed.get());
+  const auto cannotMake = [&](const std::string& why) {
+    return Error{"Cannot make the folder " + folder + ": " + why + "."};
+  };
+  auto aside = FolderAside::in(parent.string());
+  if (!aside) return cannotMake(aside.message());
   const DicomSliceWriter writer(volume, tags);
-  Result<double> largestError = writeSlices(volume, writer, aside, progress, cancel);
-  std::error_code error;
-  if (largestError) {
-    fs::permissions(aside, fs::perms(0777 & ~rightsKept()), error);
-    fs::rename(aside, target, error);
-    if (error) largestError = Error{"Cannot make the folder " + folder + ": " + error.message() + "."};
-  }
-  if (largestError) return notesOf(*largestError, writer);
-  fs::remove_all(aside, error);
-  return largestError.error();
+  const Result<double> largestError = writeSlices(volume, writer, aside->path(), progress, cancel);
+  if (!largestError) return largestError.error();
+  if (Status s = aside->become(target.string()); !s) return cannotMake(s.message());
+  return notesOf(*largestError, writer);
 }
 
 }  // namespace volumen

@@ -5,6 +5,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
@@ -71,6 +72,31 @@ void sweepAside(const std::string& folder) {
     if (name.starts_with(prefix) && name.size() == std::strlen(asideName) && isLeft(it->path().string()))
       fs::remove_all(it->path(), ignored);
   }
+}
+
+Result<FolderAside> FolderAside::in(const std::string& parent) {
+  sweepAside(parent);
+  std::string path = (std::filesystem::path(parent) / asideName).string();
+  if (!::mkdtemp(path.data())) return Error{std::strerror(errno)};
+  FolderAside made(path, ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
+  claimAside(made.descriptor_);
+  return made;
+}
+
+FolderAside::~FolderAside() {
+  std::error_code ignored;
+  if (!path_.empty()) std::filesystem::remove_all(path_, ignored);
+  if (descriptor_ >= 0) ::close(descriptor_);
+}
+
+Status FolderAside::become(const std::string& target) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::permissions(path_, fs::perms(0777 & ~rightsKept()), error);
+  fs::rename(path_, target, error);
+  if (error) return Error{error.message()};
+  path_.clear();
+  return {};
 }
 
 }  // namespace volumen

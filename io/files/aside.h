@@ -3,6 +3,9 @@
 #include <sys/types.h>
 
 #include <string>
+#include <utility>
+
+#include "viewer/volume/result.h"
 
 namespace volumen {
 
@@ -21,5 +24,26 @@ mode_t rightsKept();
 /// Removes temporary files that killed programs left in a folder ("": the working directory). Looks once a
 /// run.
 void sweepAside(const std::string& folder);
+
+/// A folder that appears whole or not at all: it is filled beside its final place, locked, and removed unless
+/// it gets its name.
+class FolderAside {
+ public:
+  /// Makes it in `parent`, and removes what killed programs left there. The Error is the system's reason.
+  static Result<FolderAside> in(const std::string& parent);
+  FolderAside(FolderAside&& other) noexcept
+      : path_(std::exchange(other.path_, {})), descriptor_(std::exchange(other.descriptor_, -1)) {}
+  FolderAside& operator=(FolderAside&&) = delete;
+  ~FolderAside();
+
+  const std::string& path() const { return path_; }
+  /// Gives it its name, and the rights of new folders. The Error is the system's reason.
+  Status become(const std::string& target);
+
+ private:
+  FolderAside(std::string path, int descriptor) : path_(std::move(path)), descriptor_(descriptor) {}
+  std::string path_;  // empty: it is not its own any more
+  int descriptor_;
+};
 
 }  // namespace volumen

@@ -9,6 +9,7 @@
 #include "io/archive/send_archive.h"
 #include "io/deidentify/deidentify_files.h"
 #include "io/deidentify/pseudonyms.h"
+#include "io/files/aside.h"
 #include "results/text/text.h"
 #include "viewer/volume/free_name.h"
 
@@ -48,30 +49,37 @@ Error cannotWrite(const QString& path) {
   return {tr("Cannot write %1: choose another folder, or free some space.").arg(path).toStdString()};
 }
 
-// Copies into a new folder beside the target, which then gets its name.
-Result<HandedOver> copied(const LeavingFiles& leaving, const QString& name, const QString& parent,
-                          const Job& job) {
-  const QTemporaryDir aside(parent + QStringLiteral("/.volumen-XXXXXX"));
-  const QString inner = aside.filePath(name), ending = QStringLiteral(".dcm");
-  if (!aside.isValid() || !QDir().mkdir(inner)) return cannotWrite(parent);
+// Copies files into a folder by numbers.
+Status copyInto(const QString& folder, const LeavingFiles& leaving, const Job& job) {
   const std::size_t count = leaving.files.size();
   for (std::size_t n = 0; n < count; ++n) {
     if (job.cancelled()) return Error{tr("Cancelled.").toStdString()};
-    const QString file = inner + QStringLiteral("/%1").arg(n + 1, 5, 10, QLatin1Char('0')) + ending;
+    const QString file = folder + QStringLiteral("/%1.dcm").arg(n + 1, 5, 10, QLatin1Char('0'));
     if (!QFile::copy(QString::fromStdString(leaving.files[n]), file)) return cannotWrite(file);
     job.tell(tr("file %1 of %2").arg(inDigits(n + 1), inDigits(count)), double(n + 1) / double(count));
   }
-  const bool isOne = count == 1;
-  const QString target = QString::fromStdString(
-      freeName((parent + QLatin1Char('/') + name).toStdString(), [&](const std::string& one) {
-        const QString path = QString::fromStdString(one);
-        return QFileInfo::exists(isOne ? path + ending : path);
-      }));
-  const bool isThere = isOne ? QFile::rename(inner + QStringLiteral("/00001") + ending, target + ending)
-                             : QDir().rename(inner, target);
+  return {};
+}
+
+// Copies into a folder aside; it, or the only file in it, then gets the name, or a further one if that is
+// taken.
+Result<HandedOver> copied(const LeavingFiles& leaving, const QString& name, const QString& parent,
+                          const Job& job) {
+  auto aside = FolderAside::in(parent.toStdString());
+  if (!aside) return cannotWrite(parent);
+  const QString inner = QString::fromStdString(aside->path());
+  if (Status s = copyInto(inner, leaving, job); !s) return s.error();
+  const bool isOne = leaving.files.size() == 1;
+  const QString ending = isOne ? QStringLiteral(".dcm") : QString();
+  const std::string free = freeName((parent + QLatin1Char('/') + name).toStdString(), [&](const auto& one) {
+    return QFileInfo::exists(QString::fromStdString(one) + ending);
+  });
+  const QString target = QString::fromStdString(free) + ending;
+  const bool isThere = isOne ? QFile::rename(inner + QStringLiteral("/00001.dcm"), target)
+                             : aside->become(target.toStdString()).ok();
   if (!isThere) return cannotWrite(target);
-  return HandedOver{isOne ? tr("Saved %1").arg(target + ending)
-                          : tr("Saved %1 files in %2").arg(inDigits(count), target)};
+  return HandedOver{isOne ? tr("Saved %1").arg(target)
+                          : tr("Saved %1 files in %2").arg(inDigits(leaving.files.size()), target)};
 }
 
 QString lookAt(const QString& what, const std::vector<std::string>& series) {

@@ -1,9 +1,10 @@
 #include <QClipboard>
 #include <QDir>
 #include <QGuiApplication>
-#include <QTemporaryDir>
+#include <optional>
 
 #include "io/export/captured_pictures.h"
+#include "io/files/aside.h"
 #include "results/text/text.h"
 #include "ui/exports/picture_sink.h"
 #include "ui/overlays/slice_sheet.h"
@@ -100,23 +101,25 @@ PictureSink numberedFiles(const QString& path, int count) {
   return sink;
 }
 
-// Writes to a temporary folder first. Its subfolder has the usual permissions.
 PictureSink newFolder(const QString& parent, const QString& name) {
-  const auto aside = std::make_shared<QTemporaryDir>(parent + QStringLiteral("/.volumen-XXXXXX"));
-  const QString pictures = aside->filePath(QStringLiteral("pictures"));
+  const auto aside = std::make_shared<std::optional<FolderAside>>();
   PictureSink sink;
   sink.begin = [=] {
-    if (aside->isValid() && QDir().mkdir(pictures)) return Status();
-    return Status(Error{tr("Cannot write into %1: choose another folder.").arg(parent).toStdString()});
+    auto made = FolderAside::in(parent.toStdString());
+    if (!made)
+      return Status(Error{tr("Cannot write into %1: choose another folder.").arg(parent).toStdString()});
+    aside->emplace(std::move(*made));
+    return Status();
   };
   sink.take = [=](std::size_t, const MadePicture& picture) {
     const QString file = numberedName(name, std::size_t(picture.label.number), 4);
-    return writePicture(picture, pictures + QLatin1Char('/') + file + QStringLiteral(".png"));
+    const QString folder = QString::fromStdString((*aside)->path());
+    return writePicture(picture, folder + QLatin1Char('/') + file + QStringLiteral(".png"));
   };
   sink.finish = [=](std::size_t made) -> Result<QString> {
     const QString target =
         freeFor(parent + QLatin1Char('/') + name, [](const QString& one) { return QFileInfo::exists(one); });
-    if (!QDir().rename(pictures, target))
+    if (Status s = (*aside)->become(target.toStdString()); !s)
       return Error{tr("Cannot write %1: choose another folder.").arg(target).toStdString()};
     return made == 1 ? tr("Saved 1 picture in %1").arg(target)
                      : tr("Saved %1 pictures in %2").arg(made).arg(target);
