@@ -90,7 +90,7 @@ constexpr Entry commands[] = {
      volumen::makeArchive},
     {"forget", "Take studies out of the index; their files stay", volumen::makeForget},
     {"convert", "Write a series as .nrrd, .nii.gz, .mha or DICOM", volumen::makeConvert, true},
-    {"export", "Write a DICOM report, key images, or copies without the identity of the patient",
+    {"export", "Hand on measurements, segments, pictures and slices, or copies without the identity",
      volumen::makeExport},
     {"segment", "Segment by a recipe or a value range, and measure", volumen::makeSegment, true},
     {"compare", "Compare the segments of two files", volumen::makeCompare},

@@ -120,6 +120,8 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
   app.add_option("--pdf", job.pdf, "Of pdf: the PDF file")->type_name("FILE");
   addSeries(app, job.series);
   addSceneOptions(app, job.scene);
+  app.get_option("--size")->description(
+      "Picture size in pixels, WIDTHxHEIGHT (default: 512x512 in 3D, all of the volume for slices)");
   addQuality(app, job.method);
   wholeNumber(app.add_option("--turntable", job.turntable, "Of sc: N pictures of a full turn"), 1, 9999);
   number(
