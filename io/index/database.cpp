@@ -25,6 +25,10 @@ enum Code {
   notADatabase = 26
 };
 
+// How long a statement waits for other programs, which write an import in batches of some seconds each on a
+// slow machine.
+constexpr int waitForOthersMs = 60000;
+
 Code codeOf(const QSqlError& error) { return Code(error.nativeErrorCode().toInt() & 0xff); }
 
 std::string reasonOf(const QSqlError& error) {
@@ -73,7 +77,8 @@ Result<std::unique_ptr<Database>> Database::open(const std::string& path, Access
     return Error{"Cannot open the index: Qt's driver for SQLite is missing; install libqt6sql6-sqlite."};
   std::unique_ptr<Database> database(new Database(path, newConnectionName(), access));
   QSqlDatabase connection = QSqlDatabase::addDatabase(QStringLiteral("QSQLITE"), database->name_);
-  QString name = QFile::decodeName(path.c_str()), options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=5000");
+  QString name = QFile::decodeName(path.c_str()),
+          options = QStringLiteral("QSQLITE_BUSY_TIMEOUT=%1").arg(waitForOthersMs);
   if (access == Access::read) options += QStringLiteral(";QSQLITE_OPEN_READONLY");
   if (access == Access::read && !isBeingWritten(path)) {
     // Without this, SQLite would try to create files beside it.
@@ -138,7 +143,7 @@ bool Database::isOfUnknownForm() const {
   const bool isReadOnly = isBegun && !query.exec(QStringLiteral("PRAGMA user_version = 0")) &&
                           codeOf(query.lastError()) == readOnly;
   if (isBegun) query.exec(QStringLiteral("ROLLBACK"));
-  query.exec(QStringLiteral("PRAGMA busy_timeout = 5000"));
+  query.exec(QStringLiteral("PRAGMA busy_timeout = %1").arg(waitForOthersMs));
   return isReadOnly;
 }
 

@@ -65,6 +65,7 @@ class TestIndexSafety : public QObject {
   void olderSchemaIsUpdated();
   void killedImportGoesOn();
   void twoProgramsAtOnce();
+  void anImportWaitsForALongOne();
   void anOpenIndexKeepsItsLog();
   void threadsReadWhileOneWrites();
   void diskFull();
@@ -231,6 +232,24 @@ void TestIndexSafety::twoProgramsAtOnce() {
     QVERIFY2(index.notice().empty(), index.notice().c_str());
     QCOMPARE(tests::contentsOf(index), expected);
   }
+}
+
+// On a busy machine another program's import holds the index for more than the usual five seconds of SQLite.
+void TestIndexSafety::anImportWaitsForALongOne() {
+  const IndexFolder folder;
+  makeStudies(folder, 10);
+  folder.open();
+  const Result<std::unique_ptr<Database>> other = Database::open(folder.index() + "/index.sqlite");
+  QVERIFY(other.ok());
+  (*other)->begin();
+  QProcess program;
+  program.start(QStringLiteral(VOLUMEN_PROGRAM),
+                {QStringLiteral("import"), QString::fromStdString(folder.data()), QStringLiteral("--index"),
+                 QString::fromStdString(folder.index())});
+  QVERIFY(!program.waitForFinished(7000));
+  QVERIFY((*other)->commit().ok());
+  QVERIFY(program.waitForFinished(120000));
+  QVERIFY2(program.exitCode() == 0, program.readAllStandardError().constData());
 }
 
 // A program that stays (the window, a listener) keeps its locks, whatever else it opens: others that come and
