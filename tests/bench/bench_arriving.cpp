@@ -12,6 +12,7 @@
 #include "tests/unit/archive/peer_process.h"
 #include "tests/unit/archive/web_peer.h"
 #include "tests/unit/suite.h"
+#include "ui/views/first_image.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -22,6 +23,7 @@ struct ArrivingWindow : ArchivesWindow {
   using ArchivesWindow::ArchivesWindow;
 
   bool showsSlice() {
+    if (child<FirstImage>("firstImage")->isVisible()) return true;
     for (View* view : window.views()->viewsSeen())
       if (auto* flat = qobject_cast<FlatView*>(view); flat && flat->shown() && !flat->picture().isNull())
         return true;

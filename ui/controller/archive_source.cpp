@@ -11,6 +11,7 @@ namespace volumen {
 namespace {
 
 constexpr int lookEveryMs = 100, longestMs = 1000;
+constexpr int lookAtArrivalMs = 250;  // what comes within this time is shown when it is complete
 
 // Returns a sentence on how many studies a search has found so far.
 QString soFarText(const QString& archive, std::size_t studies) {
@@ -62,6 +63,8 @@ ArchiveSource::ArchiveSource(Archive archive, std::string indexFolder, Jobs& job
       seriesFetches_(&jobs) {
   look_.setInterval(lookEveryMs);
   connect(&look_, &QTimer::timeout, this, &ArchiveSource::takeIncoming);
+  lookAtArrival_.setInterval(lookAtArrivalMs);
+  connect(&lookAtArrival_, &QTimer::timeout, this, &ArchiveSource::lookAtArrival);
 }
 
 void ArchiveSource::setArchive(Archive archive) {

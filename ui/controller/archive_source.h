@@ -2,12 +2,14 @@
 
 #include <QElapsedTimer>
 #include <QTimer>
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <optional>
 #include <set>
 
 #include "io/archive/archives.h"
+#include "io/archive/fetch_archive.h"
 #include "ui/controller/study_source.h"
 #include "ui/document/job_lane.h"
 
@@ -72,6 +74,12 @@ class ArchiveSource : public StudySource {
     QString notice;
     bool isWhole = false;
   };
+  // What is known of the images of a fetch.
+  struct Arrival {
+    FetchRequest request;
+    std::shared_ptr<std::atomic<int>> came;
+    int seen = 0;  // images at the last look
+  };
   struct Found;
   struct Opening;
   struct Fetched;
@@ -83,6 +91,10 @@ class ArchiveSource : public StudySource {
                      const Job& job) const;
   Result<Fetched> fetch(const Opening& opening, const Job& job);
   void take(const Opening& opening, const Fetched& fetched);
+  void followArrival(const Opening& opening);
+  void lookAtArrival();
+  void endArrival(const Opening& opening);
+  void endArrival();
   std::vector<IndexedStudy> numbered(std::vector<IndexedStudy> studies);
   void search(const std::string& words);
   void giveUpSearch();
@@ -103,10 +115,11 @@ class ArchiveSource : public StudySource {
   std::optional<Answer> answer_;  // empty after a failure
   bool isListOld_ = false;        // the list in work lacks what came since
   std::shared_ptr<Incoming> incoming_;
-  ImagesHere newestHere_;  // if something was imported since the search began
-  QTimer look_;
+  ImagesHere newestHere_;           // if something was imported since the search began
+  std::optional<Arrival> arrival_;  // of the fetch begun last, until what it shows first is here
+  QTimer look_, lookAtArrival_;
   QElapsedTimer sinceTaken_;
-  JobLane searches_, lists_, questions_, fetches_, seriesFetches_, imports_;
+  JobLane searches_, lists_, questions_, fetches_, seriesFetches_, arrivals_, imports_;
 };
 
 }  // namespace volumen

@@ -4,11 +4,13 @@
 #include <QObject>
 #include <QStringList>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "io/index/index.h"
+#include "io/study/series.h"
 #include "ui/controller/open_intent.h"
 #include "ui/data/study_list.h"
 
@@ -88,6 +90,9 @@ class StudySource : public QObject {
   /// The files of a chosen study, and the intent with the chosen series.
   void filesFound(const volumen::IndexedChoice& choice, const std::vector<std::string>& files,
                   const volumen::OpenIntent& intent);
+  /// What has come so far of the series being fetched, with files on this machine and a path of its own. Null
+  /// when nothing more comes, after filesFound() or notOpened(). Sent for choices that replace what is shown.
+  void arriving(const std::shared_ptr<const volumen::Series>& part);
   /// A sentence why a choice is not opened.
   void notOpened(const volumen::IndexedChoice& choice, const QString& sentence);
   /// The content of the source changed.

@@ -15,7 +15,8 @@ namespace {
 
 constexpr int momentMs = 100;  // a series loaded within this time is shown without a first image
 
-// Shows one slice of a series while it is being loaded, over the view that waits for it or will take it.
+// Shows one slice of a series while it is being fetched or loaded, over the view that waits for it or will
+// take it. What the user shows meanwhile ends it.
 class FirstImages : public Feature {
  public:
   explicit FirstImages(Workbench& bench);
@@ -23,8 +24,12 @@ class FirstImages : public Feature {
   bool eventFilter(QObject* pages, QEvent* event) override;
 
  private:
+  void connectSource(StudySource& source);
   void begin(const Series& series);
   void end();
+  void followArrival(const std::shared_ptr<const Series>& part);
+  void endArrival();
+  SeriesKey inFocus() const { return session_.workspace().view(session_.workspace().focus).series; }
   void followLoad();
   void look();
   void lookSoon();
@@ -36,6 +41,11 @@ class FirstImages : public Feature {
   FirstImage* image_;
   std::shared_ptr<const Series> series_;  // null if no series is being loaded or it is already visible
   bool isInView_ = false, isLoaded_ = false;
+  // Of what is being fetched: whether series_ is a part of it, whether no more comes, the series in focus
+  // before it, and the id of one that gave way to what the user showed.
+  bool isPart_ = false, isAllHere_ = false;
+  SeriesKey before_;
+  std::string gaveWay_;
   QTimer moment_, soon_;
 };
 
@@ -48,11 +58,18 @@ FirstImages::FirstImages(Workbench& bench)
   soon_.setInterval(0);
   connect(&moment_, &QTimer::timeout, this, [this] {
     look();
-    if (series_) image_->begin(stateOfIt());
+    if (series_) image_->begin(stateOfIt(), false);
   });
   connect(&soon_, &QTimer::timeout, this, &FirstImages::look);
   connect(image_, &FirstImage::appears, this, &FirstImages::look);
   connect(&bench_.document.loader, &Loader::loadingChanged, this, &FirstImages::followLoad);
+  connect(&bench_.document.loader, &Loader::idle, this, [this] {
+    if (isAllHere_) endArrival();
+  });
+  StudySources& sources = bench_.document.sources;
+  for (const auto& source : sources.all()) connectSource(*source);
+  connect(&sources, &StudySources::added, this,
+          [this, &sources](std::size_t number) { connectSource(*sources.all()[number]); });
   connect(&bench_.document.slices, &SliceService::failed, this, [this](int view) {
     const View* shown = series_ ? viewOfIt() : nullptr;
     if (view == firstImageId || (shown && shown->id() == view)) end();
@@ -66,6 +83,33 @@ bool FirstImages::eventFilter(QObject* pages, QEvent* event) {
   return Feature::eventFilter(pages, event);
 }
 
+void FirstImages::connectSource(StudySource& source) {
+  connect(&source, &StudySource::arriving, this, &FirstImages::followArrival);
+}
+
+// Shows what came so far. Once all is here, it stays until the series is loaded.
+void FirstImages::followArrival(const std::shared_ptr<const Series>& part) {
+  isAllHere_ = !part;
+  if (!part) {
+    gaveWay_.clear();
+    if (!bench_.document.loader.isBusy()) endArrival();
+    return;
+  }
+  if (bench_.document.loader.isLoading() || part->id == gaveWay_) return;
+  const bool goesOn = isPart_ && series_->id == part->id;
+  if (!goesOn) end();
+  series_ = part;
+  if (goesOn) return image_->goOn(stateOfIt(), true);
+  isPart_ = true;
+  before_ = inFocus();
+  look();
+  image_->begin(stateOfIt(), true);
+}
+
+void FirstImages::endArrival() {
+  if (isPart_) end();
+}
+
 void FirstImages::begin(const Series& series) {
   end();
   series_ = std::make_shared<const Series>(series);
@@ -75,12 +119,20 @@ void FirstImages::begin(const Series& series) {
 void FirstImages::end() {
   moment_.stop();
   series_.reset();
-  isInView_ = isLoaded_ = false;
+  isInView_ = isLoaded_ = isPart_ = false;
   image_->end();
 }
 
 void FirstImages::followLoad() {
-  if (const auto loading = bench_.document.loader.loading()) return begin(*loading);
+  if (const auto loading = bench_.document.loader.loading()) {
+    const bool isRest = isPart_ && series_->id == loading->id;
+    if (isPart_ && !isRest) gaveWay_ = series_->id;
+    if (!isRest) return begin(*loading);
+    isPart_ = false;
+    series_ = loading;
+    image_->goOn(stateOfIt(), false);
+    return lookSoon();
+  }
   if (!series_) return;
   isLoaded_ = session_.pool().peek({keyOf(*series_), {}}) != nullptr;
   if (!isLoaded_ || image_->isHidden()) return end();
@@ -139,6 +191,10 @@ bool FirstImages::hasNothing(const View& view) const {
 
 void FirstImages::look() {
   if (!series_) return;
+  if (isPart_ && inFocus() != before_) {
+    gaveWay_ = series_->id;
+    return end();
+  }
   const View* view = viewOfIt();
   const bool isOver = view ? hasNothing(*view) : !isInView_ && !isLoaded_;
   const QWidget* over = !isOver ? nullptr : view ? view : takenByIt();
@@ -152,7 +208,10 @@ void FirstImages::look() {
     image_->setParent(ground);
     image_->setVisible(isSeen);
   }
-  image_->setGeometry(QRect(over->mapTo(ground, QPoint(0, 0)), over->size()));
+  const QRect place(over->mapTo(ground, QPoint(0, 0)), over->size());
+  const bool isMoved = place != image_->geometry();
+  image_->setGeometry(place);
+  if (isMoved && image_->isHidden()) image_->askForPicture();
   image_->raise();
 }
 

@@ -84,6 +84,7 @@ class StudyListing : public Feature {
   std::deque<Waiting> waiting_;
   bool listedOnce_ = false;                              // since the start of the program
   bool gaveWay_ = false;                                 // true while hidden for a load
+  bool isArriving_ = false;                              // true while parts of a fetched series are shown
   std::map<QString, std::vector<std::string>> filesOf_;  // files of the open studies
 };
 
@@ -183,6 +184,11 @@ void StudyListing::connectSource(StudySource& source) {
       &source, &StudySource::filesFound, this,
       [this, &source](const IndexedChoice& choice, const std::vector<std::string>& files,
                       const OpenIntent& intent) { openFound(source.placeOf(choice.study), files, intent); });
+  connect(&source, &StudySource::arriving, this, [this](const std::shared_ptr<const Series>& part) {
+    isArriving_ = part != nullptr;
+    if (isArriving_) giveWay();
+    if (!isArriving_ && !bench_.document.loader.isBusy()) comeBack();
+  });
   connect(&source, &StudySource::failed, this, [this](const QString& sentence) { warnUntilDone(sentence); });
   connect(&source, &StudySource::notOpened, this,
           [this](const IndexedChoice&, const QString& sentence) { warnUntilDone(sentence); });
@@ -337,7 +343,7 @@ void StudyListing::leaveKeys() {
 // Hides the browser for the shown series or the first image of the one being loaded.
 void StudyListing::giveWay() {
   const bool any = showsAnything(session_.workspace());
-  if (!any && !bench_.document.loader.isLoading()) return;
+  if (!any && !bench_.document.loader.isLoading() && !isArriving_) return;
   gaveWay_ = !any;
   showBrowser(false);
   if (!any) bench_.window.setFocus();
@@ -345,7 +351,7 @@ void StudyListing::giveWay() {
 
 // Shows the browser again if the load failed.
 void StudyListing::comeBack() {
-  if (bench_.document.loader.isLoading() || !std::exchange(gaveWay_, false)) return;
+  if (bench_.document.loader.isLoading() || isArriving_ || !std::exchange(gaveWay_, false)) return;
   if (!showsAnything(session_.workspace())) showBrowser(true);
 }
 

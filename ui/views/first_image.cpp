@@ -4,6 +4,7 @@
 #include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "io/study/frame_series.h"
 #include "results/pictures/overlays.h"
@@ -24,18 +25,44 @@ FirstImage::FirstImage(FrameService& frames, SliceService& slices, QWidget* pare
   connect(&slices_, &SliceService::ready, this, &FirstImage::takePicture);
 }
 
-void FirstImage::begin(const SeriesState& state) {
+int FirstImage::count() const { return shown_ ? frameCount(*shown_) : 0; }
+
+std::string FirstImage::sopInstanceUid() const {
+  return shown_ && std::size_t(index()) < shown_->sopInstanceUids.size()
+             ? shown_->sopInstanceUids[std::size_t(index())]
+             : std::string();
+}
+
+void FirstImage::begin(const SeriesState& state, bool isPart) {
   end();
   const int count = frameCount(*state.series);
   if (count == 0) return;
   state_ = state;
   series_ = state.series;
+  isPart_ = isPart;
   go(count / 2, 1);
+}
+
+void FirstImage::goOn(const SeriesState& state, bool isPart) {
+  if (!series_) return;
+  const auto imageAt = [](const Series& series, std::size_t index) {
+    return std::pair(index < series.sopInstanceUids.size() ? series.sopInstanceUids[index] : std::string(),
+                     index < series.frames.size() ? series.frames[index] : 0);
+  };
+  const auto image = imageAt(*series_, std::size_t(wanted_));
+  const int count = frameCount(*state.series);
+  int index = 0;
+  while (index < count && imageAt(*state.series, std::size_t(index)) != image) ++index;
+  state_ = state;
+  series_ = state.series;
+  isPart_ = isPart;
+  go(index < count ? index : std::clamp(wanted_, 0, count - 1), 1);
 }
 
 void FirstImage::end() {
   if (!series_) return;
   series_.reset();
+  shown_.reset();
   frame_.reset();
   picture_ = {};
   frames_.drop(firstImageId);
@@ -53,6 +80,7 @@ void FirstImage::takeFrame(int view, const LoadedFramePtr& frame) {
   if (view != firstImageId || !series_ || frame->key != FrameKey{keyOf(*series_), wanted_}) return;
   const bool isFirst = !frame_;
   frame_ = frame;
+  shown_ = series_;
   if (isFirst) Q_EMIT appears();
   askForPicture();
 }
@@ -92,10 +120,11 @@ void FirstImage::takePicture(const SlicePicture& picture) {
 void FirstImage::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), Qt::black);
-  if (!series_ || !frame_) return;
+  if (!frame_) return;
   painter.drawImage(QPointF(0, 0), picture_);
-  CornerTexts texts = seriesCorner(*series_, index());
-  texts.add(CornerItem::plane, tr("Image %1 / %2, loading").arg(index() + 1).arg(frameCount(*series_)));
+  CornerTexts texts = seriesCorner(*shown_, index());
+  const QString place = isPart_ ? tr("Image %1 / %2 so far, loading") : tr("Image %1 / %2, loading");
+  texts.add(CornerItem::plane, place.arg(index() + 1).arg(count()));
   const int lines = cornerLines(rect(), font());
   Overlays o;
   o.topLeft = texts.left(lines);
