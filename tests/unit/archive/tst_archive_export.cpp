@@ -32,6 +32,7 @@ class TestArchiveExport : public QObject {
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
 
   QTemporaryDir folder_;
+  QString image_;  // SOP Instance UID of one
 };
 
 void TestArchiveExport::initTestCase() {
@@ -43,6 +44,16 @@ void TestArchiveExport::initTestCase() {
   QFile shapes(at("shapes.json"));
   QVERIFY(shapes.open(QIODevice::WriteOnly) &&
           shapes.write(R"([{"kind": "length", "points": [[0, 0, 0], [10, 0, 0]]}])") > 0);
+  const Outcome b = runProgram({QStringLiteral("segment"), at("scans"), QStringLiteral("--range"),
+                                QStringLiteral("300:"), QStringLiteral("-o"), at("segments.seg.nrrd")});
+  QVERIFY2(b.status == 0, b.err);
+  QFile document(at("document.pdf"));
+  QVERIFY(document.open(QIODevice::WriteOnly) && document.write("%PDF-1.4\n%%EOF\n") > 0);
+  DcmFileFormat image;
+  OFString uid;
+  QVERIFY(image.loadFile(OFFilename(filesBelow(at("scans"))[0].toUtf8().constData())).good());
+  QVERIFY(image.getDataset()->findAndGetOFString(DCM_SOPInstanceUID, uid).good());
+  image_ = QString::fromLatin1(uid.c_str());
   qputenv("XDG_CONFIG_HOME", folder_.path().toUtf8());
   qputenv("TMPDIR", at("temporary").toUtf8());
 }
@@ -58,7 +69,11 @@ Outcome TestArchiveExport::exported(int port, const QString& source, const QStri
     list.write(R"({"archives": [{"name": "to", "kind": "dimse", "host": "127.0.0.1", "port": )" +
                QByteArray::number(port) + R"(, "calledAe": "ANY"}]})");
   list.close();
-  const QString given = QString(options).replace(QLatin1String("SHAPES"), at("shapes.json"));
+  const QString given = QString(options)
+                            .replace(QLatin1String("SHAPES"), at("shapes.json"))
+                            .replace(QLatin1String("SEGMENTS"), at("segments.seg.nrrd"))
+                            .replace(QLatin1String("DOCUMENT"), at("document.pdf"))
+                            .replace(QLatin1String("UID"), image_);
   return runProgram(QStringList{QStringLiteral("export"), source} + given.split(QLatin1Char(' ')));
 }
 
@@ -67,6 +82,13 @@ void TestArchiveExport::whatIsWrittenIsSent_data() {
   QTest::addColumn<int>("instances");
   QTest::addColumn<QByteArray>("modality");
   QTest::newRow("a report") << QStringLiteral("--as sr --roi SHAPES") << 1 << QByteArray("SR");
+  QTest::newRow("key images") << QStringLiteral("--as ko --images UID") << 1 << QByteArray("KO");
+  QTest::newRow("a window") << QStringLiteral("--as gsps --window 40,400") << 1 << QByteArray("PR");
+  QTest::newRow("segments") << QStringLiteral("--as seg --segments SEGMENTS") << 1 << QByteArray("SEG");
+  QTest::newRow("structures") << QStringLiteral("--as rtstruct --segments SEGMENTS") << 1
+                              << QByteArray("RTSTRUCT");
+  QTest::newRow("a rendering") << QStringLiteral("--as sc --size 32x32") << 1 << QByteArray("OT");
+  QTest::newRow("a document") << QStringLiteral("--as pdf --pdf DOCUMENT") << 1 << QByteArray("DOC");
   QTest::newRow("a series") << QStringLiteral("--as series --plane coronal --at 0") << 1 << QByteArray("CT");
   QTest::newRow("copies without identity")
       << QStringLiteral("--deidentify") << int(filesBelow(at("scans")).size()) << QByteArray("CT");
