@@ -194,7 +194,10 @@ inline Presentation randomPresentation(const Series& series, Chance& chance) {
   std::vector<ReferencedPicture> first{p.pictures[0]};
   if (chance.oneIn(3)) {
     p.values.first = chance.below(2) * -10;
-    for (int n = 0; n < 5; ++n) p.values.table.push_back(std::uint16_t(chance.below(65536)));
+    for (int n = 0; n < 4; ++n) p.values.table.push_back(std::uint16_t(chance.below(65536)));
+    // A modality LUT has 8 or 16 bits (PS3.3 C.11.1.1.1); dciodvfy wants the highest bit in one of its
+    // values.
+    p.values.table.push_back(std::uint16_t(32768 + chance.below(32768)));
   } else if (chance.oneIn(2)) {
     p.values = {chance.oneIn(2) ? 2.5 : 1,
                 double(chance.below(2000) - 1024),
