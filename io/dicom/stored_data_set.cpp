@@ -2,16 +2,19 @@
 
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcdatset.h>
+#include <dcmtk/dcmdata/dcdeftag.h>
 #include <dcmtk/dcmdata/dcistrmb.h>
 #include <dcmtk/dcmdata/dcostrmb.h>
 #include <dcmtk/dcmdata/dcwcache.h>
 #include <dcmtk/dcmdata/dcxfer.h>
 
 #include <algorithm>
+#include <cstring>
 
 #include "io/dicom/data_set.h"
 #include "io/dicom/decode.h"
 #include "io/dicom/fragments.h"
+#include "io/dicom/native_pixels.h"
 #include "io/dicom/scanned_file.h"
 #include "io/regular_file.h"
 #include "io/worker/batches.h"
@@ -98,6 +101,37 @@ std::vector<std::uint8_t> bytesIn(DcmDataset& data, E_TransferSyntax syntax) {
   return all;
 }
 
+// Returns whether a transfer syntax is of a video (MPEG-2, MPEG-4, HEVC).
+bool isVideo(const std::string& syntax) {
+  constexpr const char* beforeNumber = "1.2.840.10008.1.2.4.10";
+  return syntax.starts_with(beforeNumber) && syntax.size() > std::strlen(beforeNumber);
+}
+
+// DCMTK does not know HTJ2K, which is encoded as JPEG 2000 is.
+E_TransferSyntax syntaxForDcmtk(const std::string& syntax) {
+  const bool isJpeg2000 = transferSyntax(syntax).coding == Coding::jpeg2000;
+  return isJpeg2000 ? EXS_JPEG2000LosslessOnly : DcmXfer(syntax.c_str()).getXfer();
+}
+
+// Makes the pixels of a data set native.
+Status decompress(const RegularFile& file, const StoredDataSet& stored, E_TransferSyntax to,
+                  DcmDataset& data) {
+  if (isVideo(stored.syntax)) return Error{"volumen does not decompress videos"};
+  ScannedFile s;
+  if (Status read = s.readMeta(file); !read) return read;
+  if (Status scanned = s.scan(file); !scanned) return scanned;
+  if (s.dataSet.pixels && s.syntax.coding == Coding::jpeg2000) {
+    if (Status put = putNativePixels(file, s, data); !put)
+      return Error{"it cannot be decompressed: " + put.message()};
+  } else if (data.chooseRepresentation(to, nullptr).bad()) {
+    return Error{"it cannot be decompressed"};
+  }
+  // They are of fragments.
+  for (const DcmTagKey& tag : {DCM_ExtendedOffsetTable, DCM_ExtendedOffsetTableLengths})
+    data.findAndDeleteElement(tag);
+  return {};
+}
+
 Result<std::vector<std::uint8_t>> inSyntaxHere(const std::string& path, const StoredDataSet& stored,
                                                const std::string& syntax) {
   worker::needAll();
@@ -110,13 +144,14 @@ Result<std::vector<std::uint8_t>> inSyntaxHere(const std::string& path, const St
   in.setBuffer(bytes->data(), offile_off_t(bytes->size()));
   in.setEos();
   DcmDataset data;
-  const E_TransferSyntax to = DcmXfer(syntax.c_str()).getXfer();
+  const E_TransferSyntax to = syntaxForDcmtk(syntax);
   data.transferInit();
-  const OFCondition read = data.read(in, DcmXfer(stored.syntax.c_str()).getXfer());
+  const OFCondition read = data.read(in, syntaxForDcmtk(stored.syntax));
   data.transferEnd();
   if (read.bad()) return Error{std::string("it cannot be read: ") + read.text()};
-  if (data.chooseRepresentation(to, nullptr).bad() || !data.canWriteXfer(to))
-    return Error{"it cannot be decompressed"};
+  if (syntax != stored.syntax)
+    if (Status native = decompress(*file, stored, to, data); !native) return native.error();
+  if (!data.canWriteXfer(to)) return Error{"it cannot be decompressed"};
   std::vector<std::uint8_t> all = bytesIn(data, to);
   if (all.empty()) return Error{"it cannot be converted"};
   return all;

@@ -8,6 +8,7 @@
 #include <QDirIterator>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <QtEndian>
 #include <algorithm>
 
 #include "io/dicom/decode.h"
@@ -82,6 +83,19 @@ Instance instanceIn(const QString& path) {
   data.findAndGetUint16Array(DCM_PixelData, pixels, &count);
   return {text(DCM_SeriesInstanceUID), text(DCM_SOPInstanceUID), text(DCM_PatientName),
           std::vector<unsigned short>(pixels, pixels + count)};
+}
+
+qsizetype beginOfData(const QByteArray& file) {
+  return file.size() < 144 ? 0 : 144 + qsizetype(qFromLittleEndian<quint32>(file.constData() + 140));
+}
+
+QByteArray renamed(QByteArray file, const QByteArray& from, QByteArray to) {
+  if (to.size() % 2) to += '\0';
+  const qsizetype at = file.indexOf(from), size = from.size() + from.size() % 2;
+  const auto length = qFromLittleEndian<quint32>(file.constData() + 140);
+  qToLittleEndian(quint32(length + to.size() - size), file.data() + 140);
+  qToLittleEndian(quint16(to.size()), file.data() + at - 2);
+  return file.replace(at, size, to);
 }
 
 QStringList uidsOf(const QJsonArray& studies) {

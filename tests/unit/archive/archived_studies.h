@@ -50,6 +50,12 @@ struct Instance {
 /// Returns the instance in a file, decompressed; an empty one if it cannot be read.
 Instance instanceIn(const QString& path);
 
+/// Returns where the data set of a file begins, behind its file meta information.
+qsizetype beginOfData(const QByteArray& file);
+
+/// Returns a file that names the transfer syntax `to` instead of `from`, with the same data set.
+QByteArray renamed(QByteArray file, const QByteArray& from, QByteArray to);
+
 /// Returns the UIDs of studies in JSON, sorted.
 QStringList uidsOf(const QJsonArray& studies);
 

@@ -10,7 +10,6 @@
 #include <QProcess>
 #include <QStandardPaths>
 #include <QTcpServer>
-#include <QtEndian>
 
 #include "tests/fixtures/program.h"
 #include "tests/unit/archive/archived_studies.h"
@@ -57,21 +56,7 @@ namespace {
 
 constexpr const char *explicitLittle = "1.2.840.10008.1.2.1", *jpegLs = "1.2.840.10008.1.2.4.80";
 
-// The file meta information begins with its length.
-qsizetype beginOfData(const QByteArray& file) {
-  return file.size() < 144 ? 0 : 144 + qsizetype(qFromLittleEndian<quint32>(file.constData() + 140));
-}
 QByteArray behindMeta(const QByteArray& file) { return file.mid(beginOfData(file)); }
-
-// Gives a file another transfer syntax without changing its data set.
-QByteArray renamed(QByteArray file, const QByteArray& from, QByteArray to) {
-  if (to.size() % 2) to += '\0';
-  const qsizetype at = file.indexOf(from), size = from.size() + from.size() % 2;
-  const auto length = qFromLittleEndian<quint32>(file.constData() + 140);
-  qToLittleEndian(quint32(length + to.size() - size), file.data() + 140);
-  qToLittleEndian(quint16(to.size()), file.data() + at - 2);
-  return file.replace(at, size, to);
-}
 
 // Sequences (0022,0011) within each other, in front of (0028,0002), behind all UIDs.
 QByteArray nested(QByteArray file, int depth) {
