@@ -210,7 +210,8 @@ Result<Association> Association::open(const Archive& archive, const std::vector<
   auto p = std::make_unique<Private>(archive, cancel);
   if (Status s = p->prepare(); !s) return s.error();
   T_ASC_Parameters* parameters = nullptr;
-  ASC_createAssociationParameters(&parameters, ASC_DEFAULTMAXPDU);
+  // Fewer PDUs than by DCMTK's default of 16 KiB. PduReader leaves one value in each, however many come.
+  ASC_createAssociationParameters(&parameters, ASC_MAXIMUMPDUSIZE);
   ASC_setAPTitles(parameters, archive.callingAe.c_str(), archive.calledAe.c_str(), nullptr);
   ASC_setTransportLayerType(parameters, archive.tls.has_value());
   ASC_setPresentationAddresses(parameters, "localhost",
