@@ -26,7 +26,7 @@ struct ArchiveOptions {
   std::vector<std::string> words;
   ArchiveQuery query;
   std::string study, folder, index;
-  bool json = false;
+  bool json = false, isLetGo = false;
 
   std::string path() const { return file.empty() ? userArchivesFile() : file; }
 };
@@ -203,17 +203,45 @@ int send(const ArchiveOptions& options, const CancelToken& cancel) {
   return tellSent(*report, cancel);
 }
 
-// A nested command; `run` is what archive runs if it is chosen.
-CLI::App* addNested(CLI::App& app, const char* name, const char* text, ArchiveOptions& options,
-                    const std::function<int()>& thisOne, const std::shared_ptr<std::function<int()>>& run) {
+int keep(const ArchiveOptions& options) {
+  const std::string indexFolder = indexFolderOr(options.index);
+  if (options.study.empty()) {
+    const std::vector<std::string> kept = keptStudies(indexFolder);
+    if (options.json) std::cout << jsonText({{"kept", kept}});
+    if (kept.empty() && !options.json) std::cerr << "No study is kept.\n";
+    for (const std::string& uid : options.json ? std::vector<std::string>() : kept)
+      std::cout << printable(uid) << '\n';
+    return exitDone;
+  }
+  const bool isKept = !options.isLetGo;
+  if (Status s = keepFetched(indexFolder, options.study, isKept); !s)
+    return failed(options, {{"study", options.study}}, s.message());
+  if (options.json)
+    std::cout << jsonText({{"study", options.study}, {"isKept", isKept}});
+  else
+    std::cout << "The study " << printable(options.study)
+              << (isKept ? " is kept on this computer.\n"
+                         : " is no longer kept: the size limit may remove it.\n");
+  return exitDone;
+}
+
+// A nested command that asks no archive; `run` is what archive runs if it is chosen.
+CLI::App* addLocal(CLI::App& app, const char* name, const char* text, const std::function<int()>& thisOne,
+                   const std::shared_ptr<std::function<int()>>& run) {
   CLI::App* sub = app.add_subcommand(name, text);
   sub->group("Commands");
   sub->set_help_flag("-h,--help", "Show this help");
+  sub->callback([=] { *run = thisOne; });
+  return sub;
+}
+
+CLI::App* addNested(CLI::App& app, const char* name, const char* text, ArchiveOptions& options,
+                    const std::function<int()>& thisOne, const std::shared_ptr<std::function<int()>>& run) {
+  CLI::App* sub = addLocal(app, name, text, thisOne, run);
   sub->add_option("--archives", options.file,
                   "The file that lists the archives (default: archives.json in "
                   "~/.config/volumen)")
       ->type_name("FILE");
-  sub->callback([=] { *run = thisOne; });
   return sub;
 }
 
@@ -267,6 +295,17 @@ std::function<int()> makeArchive(CLI::App& app, const CancelToken& cancel) {
   fetched->add_flag("--json", o->json, "Write one JSON object to stdout");
   addExamples(*fetched,
               {"volumen archive fetch main 1.2.3", "volumen archive fetch main 1.2.3/1.2.3.1 -o fetched/"});
+
+  CLI::App* kept = addLocal(
+      app, "keep", "Keep a fetched study whatever the size limit, or list those that are kept",
+      [=] { return keep(*o); }, run);
+  CLI::Option* keptStudy =
+      kept->add_option("STUDY", o->study, "The UID of a study that was fetched into the index")
+          ->type_name("");
+  kept->add_flag("--off", o->isLetGo, "Keep it no longer")->needs(keptStudy);
+  addIndex(*kept, o->index);
+  kept->add_flag("--json", o->json, "Write one JSON object to stdout");
+  addExamples(*kept, {"volumen archive keep 1.2.3", "volumen archive keep 1.2.3 --off"});
 
   CLI::App* sent = addNested(
       app, "send", "Send files to an archive", *o, [o, &cancel] { return send(*o, cancel); }, run);

@@ -28,7 +28,7 @@ namespace {
 using worker::Descriptor;
 
 constexpr const char* marksName = ".marks";  // behind the name of the folder of studies
-constexpr const char* instanceSuffix = ".dcm";
+constexpr const char *instanceSuffix = ".dcm", *keptSuffix = ".kept";
 
 // Opens a folder, but not what a link leads to.
 Descriptor openFolder(int in, const std::string& name) {
@@ -64,6 +64,7 @@ class Marks {
     return size < 0 ? std::string() : std::string(uid, std::size_t(size));
   }
   int get() const { return folder_.get(); }
+  const Descriptor& folder() const { return folder_; }
 
  private:
   explicit Marks(Descriptor folder) : folder_(std::move(folder)) {}
@@ -128,12 +129,13 @@ std::uint64_t bytesIn(const Descriptor& study) {
   return bytes;
 }
 
-// Returns the marked studies, those unused for the longest time first.
+// Returns the marked studies that are not kept, those unused for the longest time first.
 std::vector<MarkedStudy> markedStudies(const Descriptor& root, const Marks& marks) {
   std::vector<MarkedStudy> all;
   for (const std::string& name : namesIn(root)) {
     struct stat mark {};
-    if (!isNameForUid(name) || ::fstatat(marks.get(), name.c_str(), &mark, AT_SYMLINK_NOFOLLOW) != 0)
+    if (!isNameForUid(name) || ::fstatat(marks.get(), name.c_str(), &mark, AT_SYMLINK_NOFOLLOW) != 0 ||
+        marks.has(name + keptSuffix))
       continue;
     if (const Descriptor study = openFolder(root.get(), name); study)
       all.push_back({name, mark.st_mtim, bytesIn(study)});
@@ -217,7 +219,43 @@ Status beginReceived(const std::string& folder, const std::string& study, const 
       makePrivateFolder(path);  // the study may have been removed before its mark was looked at
   if (!made || !marks->has(study)) return made;
   marks->remove(study);
+  marks->remove(study + keptSuffix);
   return makeNamesLast(folder + marksName);
+}
+
+Status keepFetched(const std::string& indexFolder, const std::string& studyUid, bool isKept) {
+  const std::string root = fetchedFolder(indexFolder), study = nameForUid(studyUid);
+  const std::optional<Marks> marks = Marks::of(root);
+  const auto isHere = [&] {
+    const Descriptor folder = openFolder(AT_FDCWD, root + "/" + study);
+    return folder && marks->has(study) && bytesIn(folder) > 0;
+  };
+  if (!marks || !(isHere() || (!isKept && marks->has(study + keptSuffix))))
+    return Error{"The study " + studyUid +
+                 " was not fetched from an archive to this computer: `volumen archive fetch` fetches it."};
+  if (!isKept)
+    marks->remove(study + keptSuffix);
+  else if (!marks->add(study + keptSuffix, studyUid))
+    return Error{"Cannot write to the folder " + root + marksName + ": " + std::strerror(errno) + "."};
+  return makeNamesLast(root + marksName);
+}
+
+std::optional<bool> isFetchedKept(const std::string& indexFolder, const std::string& studyUid) {
+  const std::string study = fetchedFolder(indexFolder, studyUid),
+                    mark = fetchedFolder(indexFolder) + marksName + "/" + nameForUid(studyUid);
+  std::error_code ignored;
+  if (!std::filesystem::exists(study, ignored) || !std::filesystem::exists(mark, ignored)) return {};
+  return std::filesystem::exists(mark + keptSuffix, ignored);
+}
+
+std::vector<std::string> keptStudies(const std::string& indexFolder) {
+  std::vector<std::string> uids;
+  const std::optional<Marks> marks = Marks::of(fetchedFolder(indexFolder));
+  if (!marks) return uids;
+  for (const std::string& name : namesIn(marks->folder()))
+    if (name.ends_with(keptSuffix)) uids.push_back(marks->uidOf(name));
+  std::ranges::sort(uids);
+  return uids;
 }
 
 Result<std::vector<std::string>> trimFetched(const std::string& indexFolder, std::uint64_t mostBytes) {

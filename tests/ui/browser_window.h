@@ -1,7 +1,10 @@
 #pragma once
 
+#include <QAction>
+#include <QContextMenuEvent>
 #include <QLabel>
 #include <QListWidget>
+#include <QMenu>
 #include <QPushButton>
 #include <QTemporaryDir>
 #include <QTreeView>
@@ -110,6 +113,25 @@ struct BrowserWindow : Journey {
   void doubleClick(const QModelIndex& index) {
     click(index);
     QTest::mouseDClick(tree()->viewport(), Qt::LeftButton, {}, tree()->visualRect(index).center());
+  }
+  /// Opens the context menu of a row. Returns null if there is none.
+  QMenu* menuOf(const QModelIndex& index) {
+    tree()->scrollTo(index);
+    const QPoint at = tree()->visualRect(index).center();
+    QTest::mouseClick(tree()->viewport(), Qt::RightButton, {}, at);
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, tree()->viewport()->mapToGlobal(at));
+    QCoreApplication::sendEvent(tree()->viewport(), &event);
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    return menu && menu->objectName() == QStringLiteral("browserMenu") ? menu : nullptr;
+  }
+  /// Returns an entry of a context menu, or null.
+  static QAction* entryOf(QMenu* menu, const char* text) {
+    for (QAction* action : menu->actions())
+      if (action->text() == QLatin1String(text)) return action;
+    return nullptr;
+  }
+  static void chooseEntry(QMenu* menu, QAction* entry) {
+    QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(entry).center());
   }
   /// Opens the study "Head", whose first series is "Bone".
   bool openHead() {

@@ -2,6 +2,7 @@
 // opening, dragging, and priors that only an archive has. The user's list is that of the tests.
 #include <QMimeData>
 
+#include "io/archive/fetched_studies.h"
 #include "tests/ui/archives_window.h"
 #include "tests/ui/gestures.h"
 #include "tests/ui/hanging_window.h"
@@ -19,6 +20,7 @@ class TestArchivesInWindow : public QObject {
   void init() { openAlone(); }
   void aStudyOfAnArchiveIsOpened();
   void anArchiveThatDoesNotAnswerCanBeAskedAgain();
+  void aFetchedStudyIsKept();
   void aBrokenListIsTold();
   void thePriorIsFetchedFromAnArchive();
   void aDragKeepsItsSource_data();
@@ -75,6 +77,40 @@ void TestArchivesInWindow::anArchiveThatDoesNotAnswerCanBeAskedAgain() {
   QTest::keyClick(w.search(), Qt::Key_Return);
   QVERIFY(w.shows({QString::fromUtf8("Müller, Jörg")}));
   QTRY_VERIFY_WITH_TIMEOUT(w.notice().isEmpty(), longest);
+}
+
+void TestArchivesInWindow::aFetchedStudyIsKept() {
+  const char* const entry = "Keep on this computer";
+  const Studies studies;
+  QVERIFY(studies.write());
+  QVERIFY(importIntoIndex(studies.home.toStdString(), {studies.data.toStdString() + "/mueller"}));
+  QrPeer peer;
+  peer.add(dicomFilesBelow(studies.data));
+  QVERIFY(peer.start());
+  const ListedArchives list(peer.port());
+  const auto isKept = [&] { return isFetchedKept(studies.home.toStdString(), "1.2.3.1"); };
+  {
+    ArchivesWindow w(studies);
+    QVERIFY(w.open("main", "Head", "Bone"));
+    w.child<QAction>("showBrowser")->trigger();
+    QVERIFY(w.choose("This computer") && w.has("Head", 4) && w.has("Abdomen", 4));
+    QMenu* imported = w.menuOf(w.row("Abdomen", 4));
+    QVERIFY(imported && !w.entryOf(imported, entry));
+    imported->close();
+    QMenu* fetched = w.menuOf(w.row("Head", 4));
+    QVERIFY(fetched && w.entryOf(fetched, entry) && !w.entryOf(fetched, entry)->isChecked());
+    w.chooseEntry(fetched, w.entryOf(fetched, entry));
+    QTRY_VERIFY_WITH_TIMEOUT(isKept() == true, longest);
+  }
+  ArchivesWindow w(studies);
+  QVERIFY(w.has("Head", 4));
+  const auto hover = [&] { return w.row("Head", 4).data(Qt::ToolTipRole).toString(); };
+  QVERIFY2(hover().contains(QStringLiteral("Kept on this computer")), qPrintable(hover()));
+  QMenu* kept = w.menuOf(w.row("Head", 4));
+  QVERIFY(kept && w.entryOf(kept, entry) && w.entryOf(kept, entry)->isChecked());
+  w.chooseEntry(kept, w.entryOf(kept, entry));
+  QTRY_VERIFY_WITH_TIMEOUT(isKept() == false, longest);
+  QVERIFY(!hover().contains(QStringLiteral("Kept on this computer")));
 }
 
 void TestArchivesInWindow::aBrokenListIsTold() {

@@ -239,16 +239,11 @@ void TestBrowser::theMenuOpensAndRemoves() {
   BrowserWindow w(*studies_);
   QVERIFY(w.shows({doe, mueller, yamada}));
   const auto choose = [&](const char* entry) {
-    const QPoint at = w.tree()->visualRect(w.row("Müller")).center();
-    QTest::mouseClick(w.tree()->viewport(), Qt::RightButton, {}, at);
-    QContextMenuEvent event(QContextMenuEvent::Mouse, at, w.tree()->viewport()->mapToGlobal(at));
-    QCoreApplication::sendEvent(w.tree()->viewport(), &event);
-    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
-    QVERIFY(menu && menu->objectName() == QStringLiteral("browserMenu"));
-    for (QAction* action : menu->actions())
-      if (action->text() == QLatin1String(entry))
-        return QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(action).center());
-    QFAIL(entry);
+    QMenu* menu = w.menuOf(w.row("Müller"));
+    QVERIFY(menu);
+    QAction* action = w.entryOf(menu, entry);
+    QVERIFY2(action, entry);
+    w.chooseEntry(menu, action);
   };
   choose("Remove from list");
   QVERIFY(w.shows({doe, yamada}));

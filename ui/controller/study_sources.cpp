@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "io/archive/archives.h"
+#include "io/archive/fetched_studies.h"
 #include "ui/controller/all_sources.h"
 #include "ui/controller/archive_source.h"
 #include "ui/controller/index_service.h"
@@ -74,6 +75,19 @@ void StudySources::offer(const std::vector<Archive>& archives) {
     all_[n]->setOthers(others);
     if (!archives.empty()) offered_.push_back(all_[n].get());
   }
+}
+
+std::optional<bool> StudySources::isKept(const std::string& studyUid) const {
+  return isFetchedKept(indexFolder_, studyUid);
+}
+
+// Another program may hold the marks for as long as it removes studies.
+void StudySources::keep(const std::string& studyUid, bool isKept) {
+  marks_.run(
+      {}, [=, folder = indexFolder_](const Job&) { return keepFetched(folder, studyUid, isKept); },
+      [this](const Status& done) {
+        if (!done) Q_EMIT failed(QString::fromStdString(done.message()));
+      });
 }
 
 // Returns the source of an archive, made if it is new. What it fetches changes the index.

@@ -3,9 +3,10 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "ui/controller/study_source.h"
-#include "ui/document/jobs.h"
+#include "ui/document/job_lane.h"
 
 namespace volumen {
 
@@ -44,12 +45,19 @@ class StudySources : public QObject {
   /// The Error: the list cannot be read, and the offer stays.
   Status offerArchives();
 
+  /// Returns whether a study that was fetched from an archive is kept when room is short; nothing for others.
+  std::optional<bool> isKept(const std::string& studyUid) const;
+  /// Keeps such a study or lets it go. Emits failed() if that is not possible.
+  void keep(const std::string& studyUid, bool isKept);
+
  Q_SIGNALS:
   /// Another source is listed.
   void chosen();
   /// Source `number` of all() was made.
   void added(std::size_t number);
   void offeredChanged();
+  /// A sentence why a study is not kept.
+  void failed(const QString& sentence);
 
  private:
   ArchiveSource& sourceOf(const Archive& archive);
@@ -62,6 +70,7 @@ class StudySources : public QObject {
   std::map<std::string, ArchiveSource*> archives_;  // by name
   std::vector<StudySource*> offered_;
   StudySource* current_;
+  JobLane marks_;
 };
 
 }  // namespace volumen

@@ -99,6 +99,8 @@ StudyListing::StudyListing(Workbench& bench)
   for (const auto& source : sources_.all()) connectSource(*source);
   connect(&sources_, &StudySources::added, this,
           [this](std::size_t number) { connectSource(*sources_.all()[number]); });
+  connect(&sources_, &StudySources::failed, this,
+          [this](const QString& sentence) { warnUntilDone(sentence); });
   if (const Status offered = sources_.offerArchives(); !offered)
     bench_.banner.add(QString::fromStdString(offered.message()));
   connect(&sources_, &StudySources::offeredChanged, this, [this] {

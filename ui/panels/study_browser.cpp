@@ -60,6 +60,7 @@ StudyBrowser::StudyBrowser(StudySources& sources, QWidget* parent)
           [this](qint64 study) { sources_.current().series(study); });
   connect(strip_, &SeriesStrip::thumbnailsWanted, this,
           [this](const std::vector<std::int64_t>& series) { sources_.current().wantThumbnails(series); });
+  model_->setKept([this](const std::string& studyUid) { return sources_.isKept(studyUid) == true; });
   connect(&sources_, &StudySources::chosen, this, &StudyBrowser::showSource);
   connect(&sources_, &StudySources::offeredChanged, this, &StudyBrowser::showSources);
   showSources();
@@ -251,6 +252,7 @@ void StudyBrowser::showMenu(QWidget* from, QPoint position) {
       menu->addAction(beside ? tr("Open beside") : tr("Open"), this,
                       [this, choice, isOffline, beside] { open(choice, isOffline, beside); });
   addSending(menu, choice, series);
+  addKeeping(menu, choice);
   if (sources_.current().canRemove() && !model_->studiesOf(index).empty())
     menu->addAction(tr("Remove from list"), this, &StudyBrowser::removeChosen);
   if (from == tree_) columns_->addTo(menu->addMenu(tr("Columns")));

@@ -94,6 +94,7 @@ class StudyBrowser : public QWidget {
   void openBest(const QModelIndex& row, bool beside);
   void removeChosen();
   void showMenu(QWidget* from, QPoint position);
+  void addKeeping(QMenu* menu, const IndexedChoice& choice);
   void addSending(QMenu* menu, const IndexedChoice& choice, const IndexedSeries* series);
   bool searchKey(QKeyEvent* event);
   bool listKey(QObject* watched, QKeyEvent* event, bool isPress);

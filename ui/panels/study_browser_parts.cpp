@@ -90,6 +90,18 @@ void StudyBrowser::makeTree() {
 }
 
 // Only files of this machine can be sent.
+// Only fetched studies can go by themselves.
+void StudyBrowser::addKeeping(QMenu* menu, const IndexedChoice& choice) {
+  const IndexedStudy* study = studyIn(model_->list(), choice.study);
+  const std::optional<bool> isKept = study ? sources_.isKept(study->studyUid) : std::nullopt;
+  if (!isKept) return;
+  QAction* keep = menu->addAction(tr("Keep on this computer"));
+  keep->setCheckable(true);
+  keep->setChecked(*isKept);
+  connect(keep, &QAction::triggered, this,
+          [this, uid = study->studyUid](bool on) { sources_.keep(uid, on); });
+}
+
 void StudyBrowser::addSending(QMenu* menu, const IndexedChoice& choice, const IndexedSeries* series) {
   const IndexedStudy* study = studyIn(model_->list(), choice.study);
   if (!study || !sources_.current().filesOf(choice)) return;

@@ -328,6 +328,7 @@ QString StudyModel::toolTip(const QModelIndex& index) const {
     QStringList lines = everythingOf(*study);
     if (const auto here = list_->here.find(study->id); here != list_->here.end())
       lines << tr("On this computer: %1 of its images").arg(countText(here->second));
+    if (isKept_ && isKept_(study->studyUid)) lines << tr("Kept on this computer when room is short");
     return toolTipOf(lines);
   }
   const ListedPatient* patient = patientAt(index);

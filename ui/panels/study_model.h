@@ -2,6 +2,7 @@
 
 #include <QAbstractItemModel>
 #include <compare>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -41,6 +42,8 @@ class StudyModel : public QAbstractItemModel {
 
   /// Sets the key of the source whose studies are listed.
   void setSource(const QString& key) { source_ = key; }
+  /// Sets what tells whether a study of this UID is kept on this computer.
+  void setKept(std::function<bool(const std::string& studyUid)> isKept) { isKept_ = std::move(isKept); }
   /// Shows another list. Keeps known series but requests them again.
   void setList(const StudyListPtr& list, const StudySort& sort);
   const StudyList& list() const { return *list_; }
@@ -96,6 +99,7 @@ class StudyModel : public QAbstractItemModel {
   bool isHere(const QModelIndex& index) const;
 
   QString source_;
+  std::function<bool(const std::string&)> isKept_;
   StudyListPtr list_ = std::make_shared<const StudyList>();
   StudySort sort_;
   std::map<std::int64_t, SeriesListPtr> series_;  // series by study

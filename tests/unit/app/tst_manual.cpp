@@ -23,9 +23,11 @@ using namespace volumen::tests;
 namespace {
 
 const char* const commands[] = {
-    "open",         "render",       "slice",         "info",          "import",          "list",   "archive",
-    "archive list", "archive test", "archive query", "archive fetch", "archive receive", "forget", "convert",
-    "export",       "segment",      "compare",       "measure",       "accuracy",        "bench"};
+    "open",          "render",       "slice",           "info",         "import",
+    "list",          "archive",      "archive list",    "archive test", "archive query",
+    "archive fetch", "archive keep", "archive receive", "forget",       "convert",
+    "export",        "segment",      "compare",         "measure",      "accuracy",
+    "bench"};
 
 /// Returns the manual page without markup.
 QString manual() {
@@ -88,7 +90,8 @@ class TestManual : public QObject {
 
 /// Makes the files that examples name: a study in scans/, scene.json, shapes.json, bone.png (a picture that
 /// holds a scene), segments in first.seg.nrrd and second.seg.nrrd, an index of two studies, the second of
-/// which is forgotten, and an archive called main with study 1.2.3, if its program is installed.
+/// which is forgotten, and an archive called main with study 1.2.3, which is fetched, if its program is
+/// installed.
 void TestManual::initTestCase() {
   const auto made = [&](const char* line) {
     return runProgram(QString::fromLatin1(line).replace(QLatin1String("IN"), folder_.path())).status;
@@ -120,6 +123,7 @@ void TestManual::initTestCase() {
       R"({"archives": [{"name": "main", "kind": "dimse", "host": "localhost", "port": )" +
       QByteArray::number(peer_.port()) + R"(, "calledAe": "ARCH"}]})";
   QVERIFY(write("archives.json", archives) && write("volumen/archives.json", archives));
+  if (QrPeer::isInstalled()) QCOMPARE(made("archive fetch main 1.2.3"), 0);
 }
 
 void TestManual::manualHasEveryOption_data() {

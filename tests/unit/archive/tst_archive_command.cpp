@@ -242,7 +242,7 @@ void TestArchiveCommand::wrongUsageIsRefused_data() {
   const auto row = [](const char* name, const char* words, const char* sentence) {
     QTest::newRow(name) << wordsOf(words) << QByteArray(sentence);
   };
-  row("no command", "", "Missing COMMAND: list, test, query, fetch, send, receive.");
+  row("no command", "", "Missing COMMAND: list, test, query, fetch, keep, send, receive.");
   row("no name", "query", "Missing NAME: the archive's name");
   row("an unknown option", "query qr --seires", "Unknown option --seires. Did you mean --series?");
   row("no such file", "list --archives nowhere.json", "nowhere.json cannot be read: no such file.");

@@ -1,5 +1,5 @@
 // Guards the size of what archives sent: studies that were fetched go, those unused longest first, and
-// nothing else.
+// nothing else, nor what the user keeps.
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -25,8 +25,13 @@ class TestArchiveTrim : public QObject {
   void whatIsUnusedLongestGoes();
   void othersStay_data();
   void othersStay();
+  void keptStudiesStay_data();
+  void keptStudiesStay();
+  void onlyFetchedStudiesAreKept_data();
+  void onlyFetchedStudiesAreKept();
 
  private:
+  Outcome keep(const QStringList& words) const;
   QString studyFolder(int study) const;
   QJsonObject fetch(int study, const char* keepGb);
   QStringList inIndex() const;
@@ -73,6 +78,12 @@ QJsonObject TestArchiveTrim::fetch(int study, const char* keepGb) {
                   folder_->filePath(QStringLiteral("index")), QStringLiteral("--json")});
   if (outcome.status != 0) qWarning("%s", outcome.err.constData());
   return outcome.status == 0 ? QJsonDocument::fromJson(outcome.out).object() : QJsonObject();
+}
+
+Outcome TestArchiveTrim::keep(const QStringList& words) const {
+  return runProgram(QStringList{QStringLiteral("archive"), QStringLiteral("keep"), QStringLiteral("--index"),
+                                folder_->filePath(QStringLiteral("index")), QStringLiteral("--json")} +
+                    words);
 }
 
 QStringList TestArchiveTrim::inIndex() const {
@@ -155,6 +166,54 @@ void TestArchiveTrim::othersStay() {
   }
   QVERIFY(!fetch(3, "1").isEmpty());
   QVERIFY(QFile::exists(file));
+}
+
+void TestArchiveTrim::keptStudiesStay_data() {
+  QTest::addColumn<bool>("isLetGo");
+  QTest::addColumn<qint64>("bytesOfSecond");
+  QTest::addColumn<QStringList>("removed");
+  QTest::newRow("a kept study does not count") << false << mostOfAGb << QStringList();
+  QTest::newRow("others go in its place") << false << 2 * mostOfAGb << QStringList{uidOf(2)};
+  QTest::newRow("not if it is kept no longer") << true << mostOfAGb << QStringList{uidOf(1)};
+}
+
+void TestArchiveTrim::keptStudiesStay() {
+  QFETCH(bool, isLetGo);
+  QFETCH(qint64, bytesOfSecond);
+  QFETCH(QStringList, removed);
+  const auto kept = [&] { return QJsonDocument::fromJson(keep({}).out)[u"kept"].toArray().toVariantList(); };
+  QVERIFY(!fetch(1, "0").isEmpty() && enlarge(1, mostOfAGb));
+  QVERIFY(!fetch(2, "0").isEmpty() && enlarge(2, bytesOfSecond));
+  QVERIFY(kept().isEmpty());
+  QCOMPARE(keep({uidOf(1)}).status, 0);
+  QCOMPARE(kept(), QVariantList{uidOf(1)});
+  if (isLetGo) QCOMPARE(keep({uidOf(1), QStringLiteral("--off")}).status, 0);
+  QCOMPARE(kept().isEmpty(), isLetGo);
+  const QJsonObject report = fetch(3, "1");
+  QCOMPARE(report[u"removedStudies"].toArray(), QJsonArray::fromStringList(removed));
+  for (int study : {1, 2, 3}) QCOMPARE(inIndex().contains(uidOf(study)), !removed.contains(uidOf(study)));
+}
+
+void TestArchiveTrim::onlyFetchedStudiesAreKept_data() {
+  QTest::addColumn<QByteArray>("what");
+  QTest::newRow("a study that is not here") << QByteArray();
+  QTest::newRow("a study that a peer has sent images of") << QByteArray("received");
+  QTest::newRow("a study whose images are gone") << QByteArray("gone");
+}
+
+void TestArchiveTrim::onlyFetchedStudiesAreKept() {
+  QFETCH(QByteArray, what);
+  if (!what.isEmpty()) QVERIFY(!fetch(1, "1").isEmpty());
+  if (what == "received")
+    QVERIFY(beginReceived(QFileInfo(studyFolder(1)).path().toStdString(), nameForUid("1.2.1"),
+                          nameForUid("1.2.1.9")));
+  if (what == "gone")
+    for (const QString& file : filesBelow(studyFolder(1))) QVERIFY(QFile::remove(file));
+  const Outcome outcome = keep({uidOf(1)});
+  QCOMPARE(outcome.status, 1);
+  QVERIFY2(outcome.err.contains("The study 1.2.1 was not fetched from an archive to this computer"),
+           outcome.err);
+  QVERIFY(QJsonDocument::fromJson(outcome.out)[u"problem"].isString());
 }
 
 VOLUMEN_TEST(TestArchiveTrim);
