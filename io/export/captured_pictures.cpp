@@ -1,7 +1,6 @@
 #include "io/export/captured_pictures.h"
 
 #include <QCryptographicHash>
-#include <QPainter>
 #include <algorithm>
 #include <cstring>
 #include <new>
@@ -18,10 +17,7 @@ std::string sha256(const std::string& text) {
 
 // Returns 3 bytes a pixel without gaps between rows.
 std::vector<std::uint8_t> rgbOf(const QImage& image) {
-  QImage opaque(image.size(), QImage::Format_RGB888);
-  if (opaque.isNull()) throw std::bad_alloc();
-  opaque.fill(Qt::black);
-  QPainter(&opaque).drawImage(0, 0, image);
+  const QImage opaque = opaqueImage(image);
   const std::size_t row = std::size_t(opaque.width()) * 3;
   std::vector<std::uint8_t> bytes(row * std::size_t(opaque.height()));
   for (int y = 0; y < opaque.height(); ++y)
@@ -49,12 +45,20 @@ Status CapturedPictures::finish() {
   return capture_->finish();
 }
 
+PictureText textOfAll(PictureText text, int pictures) {
+  static const std::string ofOne[] = {"volumen-error-estimated", "volumen-error-measured",
+                                      "volumen-error-pilot"};
+  if (pictures > 1)
+    std::erase_if(text,
+                  [](const auto& entry) { return std::ranges::find(ofOne, entry.first) != std::end(ofOne); });
+  return text;
+}
+
 std::string derivationWords(const PictureText& text, int pictures) {
-  static const std::string own = "volumen-", ofOne[] = {"error-estimated", "error-measured", "error-pilot"};
+  static const std::string own = "volumen-";
   std::string words = pictures > 1 ? std::to_string(pictures) + " pictures" : "";
-  for (const auto& [key, value] : text) {
+  for (const auto& [key, value] : textOfAll(text, pictures)) {
     std::string name = key.starts_with(own) ? key.substr(own.size()) : "", told = value;
-    if (pictures > 1 && std::ranges::find(ofOne, name) != std::end(ofOne)) continue;
     std::ranges::replace(name, '-', ' ');
     if (name == "scene") name = "scene SHA-256", told = sha256(value);
     words += (words.empty() ? "" : "; ") + (name.empty() ? "" : name + ": ") + told;

@@ -30,8 +30,11 @@ class CapturedPictures {
   std::optional<SecondaryCapture> capture_;
 };
 
+/// Returns the texts of several pictures: those of the first one, without what holds for it alone.
+PictureText textOfAll(PictureText text, int pictures);
+
 /// Returns in words how pictures were made, from the texts of the first one: program, level, stated error,
-/// warnings, and a hash instead of a scene. What holds for the first picture alone is left out for several.
+/// warnings, and a hash instead of a scene (textOfAll()).
 std::string derivationWords(const PictureText& text, int pictures);
 
 }  // namespace volumen

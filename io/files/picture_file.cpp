@@ -1,8 +1,11 @@
 #include "io/files/picture_file.h"
 
+#include <QBuffer>
 #include <QIODevice>
 #include <QImage>
 #include <QImageWriter>
+#include <QPainter>
+#include <new>
 
 #include "io/files/header_text.h"
 #include "io/files/nrrd.h"
@@ -33,17 +36,23 @@ class OutputDevice : public QIODevice {
   Status written_;
 };
 
-Status writeAs(const char* format, const QImage& image, const std::string& path, const PictureText& text) {
-  auto out = OutputFile::create(path);
-  if (!out) return out.error();
-  OutputDevice device(*out);
+// The Error is Qt's reason.
+Status encode(const char* format, const QImage& image, const PictureText& text, QIODevice& device) {
   QImageWriter writer(&device, format);
   if (qstrcmp(format, "jpeg") == 0) writer.setQuality(jpegQuality);
   for (const auto& [key, value] : text)
     writer.setText(QString::fromStdString(key), QString::fromStdString(value));
-  const bool isWritten = writer.write(image);
+  if (writer.write(image)) return {};
+  return Error{writer.errorString().toStdString()};
+}
+
+Status writeAs(const char* format, const QImage& image, const std::string& path, const PictureText& text) {
+  auto out = OutputFile::create(path);
+  if (!out) return out.error();
+  OutputDevice device(*out);
+  const Status encoded = encode(format, image, text, device);
   if (!device.written()) return device.written();
-  if (!isWritten) return Error{"Cannot write " + path + ": " + writer.errorString().toStdString() + "."};
+  if (!encoded) return Error{"Cannot write " + path + ": " + encoded.message() + "."};
   return out->commit();
 }
 
@@ -60,6 +69,21 @@ QImage imageForFile(const Picture& picture) {
   image.setDotsPerMeterX(dotsPerMetre);
   image.setDotsPerMeterY(dotsPerMetre);
   return image;
+}
+
+QImage opaqueImage(const QImage& image) {
+  QImage opaque(image.size(), QImage::Format_RGB888);
+  if (opaque.isNull()) throw std::bad_alloc();
+  opaque.fill(Qt::black);
+  QPainter(&opaque).drawImage(0, 0, image);
+  return opaque;
+}
+
+Result<QByteArray> pngBytes(const QImage& image, const PictureText& text) {
+  QBuffer buffer;
+  buffer.open(QIODevice::WriteOnly);
+  if (Status s = encode("png", image, text, buffer); !s) return s.error();
+  return buffer.data();
 }
 
 Status writeImage(const QImage& image, const std::string& path, const PictureText& text) {

@@ -12,6 +12,7 @@
 #include "viewer/volume/picture.h"
 #include "viewer/volume/result.h"
 
+class QByteArray;
 class QImage;
 
 namespace volumen {
@@ -22,6 +23,12 @@ using PictureText = std::vector<std::pair<std::string, std::string>>;
 /// Returns the 8-bit image (picture.md 6): RGB888 if the background is opaque, else RGBA8888 with straight
 /// alpha.
 QImage imageForFile(const Picture& picture);
+
+/// Returns an image of the same pixels in RGB888, with black behind what is transparent.
+QImage opaqueImage(const QImage& image);
+
+/// Returns the bytes of a PNG file. The Error is the reason of the encoder.
+Result<QByteArray> pngBytes(const QImage& image, const PictureText& text);
 
 /// Writes an image of imageForFile() as JPEG for a path ending in .jpg or .jpeg, else as PNG. The file
 /// appears whole or not at all. The Error: transparency in a JPEG.
