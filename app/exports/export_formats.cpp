@@ -18,8 +18,8 @@ using Options = std::vector<const char*>;
 const Options planeOptions = {"--plane",  "--at",   "--index",     "--centre",       "--right",
                               "--down",   "--slab", "--slab-mode", "--mm-per-pixel", "--interpolation",
                               "--average"};
-const Options sceneOptions = {"--scene",      "--preset",  "--view",      "--mode",
-                              "--projection", "--quality", "--turntable", "--frame-ms"};
+const Options sceneOptions = {"--scene",      "--preset",  "--view",     "--mode",
+                              "--projection", "--quality", "--turntable"};
 
 Options joined(Options all, const Options& more) {
   all.insert(all.end(), more.begin(), more.end());
@@ -31,12 +31,16 @@ bool isGiven(const CLI::App& app, const char* name) {
   return !words.empty() && !words.front().empty();
 }
 
+const Options captureOptions = joined({"--frame-ms"}, sceneOptions);
+
 }  // namespace
 
 std::span<const ExportFormat> exportFormats() {
   static const Options ofSeries = joined({"--series", "--size", "--spacing"}, planeOptions);
-  static const Options ofCapture =
-      joined(joined({"--series", "--size", "--window", "--rle"}, planeOptions), sceneOptions);
+  static const Options ofPictures = joined({"--series", "--size", "--window"}, planeOptions);
+  static const Options ofCapture = joined(joined({"--rle"}, ofPictures), captureOptions);
+  static const Options ofFilm =
+      joined(joined({"--fps", "--spacing", "--time-points"}, ofPictures), sceneOptions);
   static const ExportFormat formats[] = {
       {"sr",
        "measurements and numbers of segments as a DICOM structured report (TID 1500)",
@@ -66,7 +70,15 @@ std::span<const ExportFormat> exportFormats() {
        {},
        ofCapture,
        exportCapture,
-       checkCapture},
+       checkDrawn},
+      {"apng",
+       "a turn, slices or time points as an animated PNG",
+       {},
+       ofFilm,
+       exportFilm,
+       checkAnimatedPng,
+       false},
+      {"mp4", "the same as MP4, if the program ffmpeg is installed", {}, ofFilm, exportFilm, checkMp4, false},
       {"pdf", "a PDF file as a DICOM document of the study", {"--pdf"}, {"--title", "--series"}, exportPdf}};
   return formats;
 }
@@ -94,8 +106,8 @@ Status settlePlane(const CLI::App& app, ExportJob& job) {
   if (given("--size")) job.plane.size = job.scene.size;
   job.hasPlane = std::ranges::any_of(planeOptions, given);
   if (!job.hasPlane) return {};
-  const auto ofScene = std::ranges::find_if(sceneOptions, given);
-  if (ofScene == sceneOptions.end()) return {};
+  const auto ofScene = std::ranges::find_if(captureOptions, given);
+  if (ofScene == captureOptions.end()) return {};
   return Error{std::string(*ofScene) + " is for 3D pictures: leave it or the options of the plane out."};
 }
 
@@ -123,16 +135,23 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
   app.get_option("--size")->description(
       "Picture size in pixels, WIDTHxHEIGHT (default: 512x512 in 3D, all of the volume for slices)");
   addQuality(app, job.method);
-  wholeNumber(app.add_option("--turntable", job.turntable, "Of sc: N pictures of a full turn"), 1, 9999);
+  wholeNumber(app.add_option("--turntable", job.turntable,
+                             "Of sc and films: N pictures of a full turn (default of films: 36)"),
+              1, 9999);
   number(
       app.add_option("--frame-ms", job.frameMs, "Of sc: the time of each picture of a turn (default: 100)"),
       1, 60000);
+  wholeNumber(app.add_option("--fps", job.framesPerSecond, "Of films: pictures a second (default: 10)"), 1,
+              100);
+  app.add_flag("--time-points", job.timePoints,
+               "Of films: a slice in each time point of the series, in place of all its slices");
   app.add_flag("--rle", job.rle, "Of sc: compress without loss (RLE)");
   addPlaneOptions(app, job.plane, false);
   addWindow(app, job.window);
-  number(app.add_option("--spacing", job.spacingMm,
-                        "Of series: from slice to slice, in mm (default: the thickness of the slab, else the "
-                        "volume's spacing)"),
+  number(app.add_option(
+             "--spacing", job.spacingMm,
+             "Of series and films: from slice to slice, in mm (default: the thickness of the slab, else the "
+             "volume's spacing)"),
          1e-3, 1e6);
 }
 

@@ -2,27 +2,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "app/exports/plane_stack.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "io/export/dicom_series.h"
-#include "io/export/slice_stack.h"
 #include "io/export/study_object.h"
 #include "io/paths/open_path.h"
 
 namespace volumen {
 
 namespace {
-
-// A plane whose place is given is the only one.
-Result<SliceStack> stackOf(const ExportJob& job, const AskedPlane& asked, const VoxelGeometry& geometry) {
-  const auto plane = makePlane(job.plane, asked, geometry);
-  if (!plane) return plane.error();
-  const double distanceMm = job.spacingMm          ? *job.spacingMm
-                            : job.plane.slabMm > 0 ? job.plane.slabMm
-                                                   : wheelStep(geometry, plane->normal());
-  if (job.plane.at || job.plane.index || asked.centre) return SliceStack{*plane, 1, distanceMm};
-  return stackThrough(geometry, *plane, distanceMm);
-}
 
 std::string outsideNote(float outside, const Opened& opened) {
   const bool isPadding = opened.loaded.drawn->attributes().padding.has_value();
@@ -55,7 +44,7 @@ Result<Exported> exportSeries(const ExportJob& job, const CancelToken& cancel) {
   if (!opened) return opened.error();
   if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
   noteEvenSlices(job.plane, *opened);
-  const auto stack = stackOf(job, *asked, opened->loaded.drawn->geometry());
+  const auto stack = planeStack(job, *asked, opened->loaded.drawn->geometry());
   if (!stack) return stack.error();
   const Result<Study> study = openPath(job.path, {}, cancel);
   if (!study) return study.error();

@@ -21,9 +21,10 @@ struct ExportJob {
   bool hasPlane = false;              ///< an option of the plane is given
   SceneOptions scene;
   MethodOptions method;
-  int turntable = 1;
+  std::optional<int> turntable{};  ///< pictures of a full turn
   double frameMs = 100;
-  bool rle = false;
+  int framesPerSecond = 10;
+  bool rle = false, timePoints = false;
 };
 
 /// What was written.
@@ -35,11 +36,14 @@ struct Exported {
 
 /// Check the options of a job before anything is read. The Error (wrong usage) names the option.
 Status checkReport(const ExportJob& job);
-Status checkCapture(const ExportJob& job);
+Status checkDrawn(const ExportJob& job);
+Status checkAnimatedPng(const ExportJob& job);
+Status checkMp4(const ExportJob& job);
 Status checkPresentation(const ExportJob& job);
 
 /// Each writes what a job names in one format (exportFormats()). The Error is a sentence for the user.
 Result<Exported> exportCapture(const ExportJob& job, const CancelToken& cancel);
+Result<Exported> exportFilm(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportPdf(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportReport(const ExportJob& job, const CancelToken& cancel);
 Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cancel);

@@ -31,7 +31,7 @@ std::vector<PngChunk> chunksOf(const QByteArray& png) {
 }
 
 // Returns the compressed pixels of a PNG file.
-QByteArray pixelsOf(const QByteArray& png) {
+QByteArray packedPixels(const QByteArray& png) {
   QByteArray pixels;
   for (const PngChunk& chunk : chunksOf(png))
     if (chunk.type == "IDAT") pixels.append(chunk.data);
@@ -39,7 +39,7 @@ QByteArray pixelsOf(const QByteArray& png) {
 }
 
 template <class Number>
-void append(QByteArray& bytes, Number number) {
+void appendNumber(QByteArray& bytes, Number number) {
   const Number big = qToBigEndian(number);
   bytes.append(reinterpret_cast<const char*>(&big), sizeof big);
 }
@@ -59,11 +59,11 @@ class AnimatedPng : public FilmFile {
       if (Status s = write(chunk.type, chunk.data); !s) return s;
     }
     QByteArray control;
-    append(control, quint32(pictures()));
-    append(control, quint32(0));  // loops without end
+    appendNumber(control, quint32(pictures()));
+    appendNumber(control, quint32(0));  // loops without end
     if (Status s = write("acTL", control); !s) return s;
     if (Status s = writeControl(picture); !s) return s;
-    return write("IDAT", pixelsOf(*png));
+    return write("IDAT", packedPixels(*png));
   }
 
   Status writeNext(const QImage& picture, const CancelToken&) override {
@@ -71,8 +71,8 @@ class AnimatedPng : public FilmFile {
     if (!png) return fail(png.message());
     if (Status s = writeControl(picture); !s) return s;
     QByteArray data;
-    append(data, number_++);
-    return write("fdAT", data + pixelsOf(*png));
+    appendNumber(data, number_++);
+    return write("fdAT", data + packedPixels(*png));
   }
 
   Status writeEnd(const CancelToken&) override { return write("IEND", {}); }
@@ -80,10 +80,10 @@ class AnimatedPng : public FilmFile {
   // The whole picture replaces the one before.
   Status writeControl(const QImage& picture) {
     QByteArray control;
-    append(control, number_++);
-    for (const int value : {picture.width(), picture.height(), 0, 0}) append(control, quint32(value));
-    append(control, quint16(1));
-    append(control, quint16(perSecond()));
+    appendNumber(control, number_++);
+    for (const int value : {picture.width(), picture.height(), 0, 0}) appendNumber(control, quint32(value));
+    appendNumber(control, quint16(1));
+    appendNumber(control, quint16(perSecond()));
     constexpr char disposeNone = 0, blendSource = 0;
     control.append(disposeNone).append(blendSource);
     return write("fcTL", control);
@@ -91,10 +91,10 @@ class AnimatedPng : public FilmFile {
 
   Status write(QByteArrayView type, QByteArrayView data) {
     QByteArray length, checksum;
-    append(length, quint32(data.size()));
+    appendNumber(length, quint32(data.size()));
     uLong sum = crc32(0, reinterpret_cast<const Bytef*>(type.data()), uInt(type.size()));
     if (!data.empty()) sum = crc32(sum, reinterpret_cast<const Bytef*>(data.data()), uInt(data.size()));
-    append(checksum, quint32(sum));
+    appendNumber(checksum, quint32(sum));
     for (const QByteArrayView part : {QByteArrayView(length), type, data, QByteArrayView(checksum)})
       if (Status s = out().write(part.data(), std::size_t(part.size())); !s) return s;
     return {};

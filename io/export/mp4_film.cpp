@@ -24,7 +24,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto lookEvery = 20ms;  // for the end of ffmpeg and for a cancelled export
+constexpr auto pollEvery = 20ms;  // for the end of ffmpeg and for a cancelled export
 
 // A running ffmpeg. It is fed over a socket, as writing to a pipe of a program that ended is a signal.
 class RunningFfmpeg {
@@ -83,7 +83,7 @@ Result<std::unique_ptr<RunningFfmpeg>> RunningFfmpeg::start(const std::string& p
 bool RunningFfmpeg::write(const char* bytes, std::size_t count, const CancelToken& cancel) {
   while (count > 0 && !cancel.cancelled()) {
     pollfd ready{feed_, POLLOUT, 0};
-    if (::poll(&ready, 1, int(lookEvery.count())) <= 0) continue;
+    if (::poll(&ready, 1, int(pollEvery.count())) <= 0) continue;
     const ssize_t sent = ::send(feed_, bytes, count, MSG_NOSIGNAL | MSG_DONTWAIT);
     if (sent < 0 && (errno == EAGAIN || errno == EINTR)) continue;
     if (sent < 0) return false;
@@ -97,7 +97,7 @@ bool RunningFfmpeg::finish(const CancelToken& cancel) {
   int status = 0;
   while (::waitpid(pid_, &status, WNOHANG) == 0) {
     if (cancel.cancelled()) return false;
-    std::this_thread::sleep_for(lookEvery);
+    std::this_thread::sleep_for(pollEvery);
   }
   pid_ = 0;
   return WIFEXITED(status) && WEXITSTATUS(status) == 0;
