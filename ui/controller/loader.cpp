@@ -43,8 +43,8 @@ Result<std::shared_ptr<const Study>> shared(Result<Study> study) {
 }
 
 // `source` is the volume of a series along a curve, if it is in memory.
-Result<LoadedSeriesPtr> loadShown(const Series& series, const VolumePtr& source, const MakeScene& makeScene,
-                                  const Job& job) {
+Result<std::shared_ptr<LoadedSeries>> loadWithoutScene(const Series& series, const VolumePtr& source,
+                                                       const Job& job) {
   Result<Loaded> loaded = series.curved ? loadCurved(series, source, job.progress(), job.cancel())
                                         : loadSeries(series, job.progress(), job.cancel());
   if (!loaded) return loaded.error();
@@ -57,13 +57,26 @@ Result<LoadedSeriesPtr> loadShown(const Series& series, const VolumePtr& source,
   shown->histogram = histogram(*loaded->drawn);
   setWindow(*shown);
   if (series.unit.empty()) shown->usual = usualRange(*loaded->drawn);
-  Result<Scene> scene = makeScene("auto", *loaded->drawn);
+  return shown;
+}
+
+Result<LoadedSeriesPtr> loadShown(const Series& series, const VolumePtr& source, const MakeScene& makeScene,
+                                  const Job& job) {
+  const auto shown = loadWithoutScene(series, source, job);
+  if (!shown) return shown.error();
+  Result<Scene> scene = makeScene("auto", *(*shown)->volume);
   if (!scene) return scene.error();
-  shown->firstScene = withUptakeWindow(std::move(*scene), series);
-  return LoadedSeriesPtr(shown);
+  (*shown)->firstScene = withUptakeWindow(std::move(*scene), series);
+  return LoadedSeriesPtr(*shown);
 }
 
 }  // namespace
+
+Result<LoadedSeriesPtr> loadForSlices(const Series& series, const Job& job) {
+  const auto shown = loadWithoutScene(series, nullptr, job);
+  if (!shown) return shown.error();
+  return LoadedSeriesPtr(*shown);
+}
 
 Loader::Loader(Session& session, Jobs& jobs, MakeScene makeScene, QObject* parent)
     : QObject(parent), session_(session), makeScene_(std::move(makeScene)), open_(&jobs), load_(&jobs) {

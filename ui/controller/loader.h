@@ -20,6 +20,9 @@ struct Study;
 /// Makes the scene of a named preset for a volume ("auto" chooses).
 using MakeScene = std::function<Result<Scene>(const std::string& preset, const Volume& volume)>;
 
+/// Loads a series for slices: it has no scene. For the thread of a job.
+Result<LoadedSeriesPtr> loadForSlices(const Series& series, const Job& job);
+
 /// Opens paths, loads the neededSeries() of the session and makes presets, each as a job. Jobs of one kind
 /// run one after another.
 class Loader : public QObject {

@@ -9,9 +9,11 @@
 
 #include "io/study/frame_series.h"
 #include "results/text/text.h"
+#include "ui/controller/loader.h"
 #include "ui/derivations/measured_numbers.h"
 #include "ui/views/view_grid.h"
 #include "ui/workspace/links.h"
+#include "ui/workspace/time_points.h"
 
 namespace volumen {
 
@@ -45,6 +47,15 @@ std::set<SeriesKey> seriesSeen(const PictureStop& stop) {
   return seen;
 }
 
+// Returns the series of a view of slices if it is a time point that is not in memory, else null.
+std::shared_ptr<const Series> timePointToRead(const PictureStop& stop) {
+  const ViewState& view = stop.workspace.view(stop.view);
+  if (showsFrames(view.kind) || stop.held.contains(view.series)) return nullptr;
+  if (!hasTimePoints(stop.workspace, view.series)) return nullptr;
+  const SeriesState& state = stop.workspace.series.at(view.series);
+  return state.mask.empty() ? state.series : nullptr;
+}
+
 class FlatPictures : public QObject, public PictureMaker {
  public:
   FlatPictures(const ViewGrid& grid, std::vector<PictureStop> stops, const PictureLook& look);
@@ -55,6 +66,7 @@ class FlatPictures : public QObject, public PictureMaker {
  private:
   using Size = PictureLook::Size;
 
+  void show(PictureStop stop);
   void prepare();
   void waitForNumbers();
   void draw();
@@ -100,11 +112,23 @@ void FlatPictures::answer(const Result<MadePicture>& made) {
 void FlatPictures::make(std::size_t n, JobLane& lane, const Done& done) {
   at_ = n, lane_ = &lane, done_ = done;
   const PictureStop& stop = stops_[at_];
+  const std::shared_ptr<const Series> step = timePointToRead(stop);
+  if (!step) return show(stop);
+  lane.run(
+      {}, [step](const Job& job) { return loadForSlices(*step, job); },
+      [this](const Result<LoadedSeriesPtr>& read) {
+        if (!read) return answer(read.error());
+        PictureStop now = stops_[at_];
+        now.held[keyOf((*read)->series)] = *read;
+        show(std::move(now));
+      });
+}
+
+void FlatPictures::show(PictureStop stop) {
   view_.reset();
   measurer_.reset();
-  PictureStop laidOut = stop;
-  laidOut.workspace = workspaceOf(stop, look_.size);
-  copy_ = sessionOf(laidOut);
+  stop.workspace = workspaceOf(stop, look_.size);
+  copy_ = sessionOf(stop);
   measurer_ = std::make_unique<MeasuredNumbers>(*copy_, frames_);
   view_ = grid_.unseenView(*copy_, frames_, *measurer_, stop.view, highlights_);
   isPrepared_ = false;

@@ -14,7 +14,8 @@ PictureStop heldNow(PictureStop stop, const Session& session);
 std::unique_ptr<Session> sessionOf(const PictureStop& stop);
 
 /// Makes pictures of flat views in any size, over hidden views of the grid. Each has a session of its own,
-/// independent of what is on screen. Frames are read and pictures drawn on other threads.
+/// independent of what is on screen. Frames and time points that are not in memory are read, and pictures
+/// drawn, on other threads.
 PictureMakerPtr flatPictures(const ViewGrid& grid, std::vector<PictureStop> stops, const PictureLook& look);
 
 }  // namespace volumen

@@ -35,6 +35,9 @@ PictureSink newFolder(const QString& parent, const QString& name);
 /// from their texts.
 PictureSink captureFile(const QString& path, const Series& series, const CaptureTags& tags, int count);
 
+/// Writes `count` pictures of one size as a film: an animated PNG or MP4 by its name (FilmFile).
+PictureSink filmFile(const QString& path, int count, int perSecond);
+
 /// Puts the last picture on the clipboard.
 PictureSink clipboard();
 

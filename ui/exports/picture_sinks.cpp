@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "io/export/captured_pictures.h"
+#include "io/export/film_file.h"
 #include "io/files/aside.h"
 #include "results/text/text.h"
 #include "ui/exports/picture_sink.h"
@@ -60,6 +61,25 @@ PictureSink captureFile(const QString& path, const Series& series, const Capture
             if (Status written = capture->finish(); !written) return written.error();
             return tr("Saved %1").arg(path);
           }};
+}
+
+PictureSink filmFile(const QString& path, int count, int perSecond) {
+  const auto film = std::make_shared<std::unique_ptr<FilmFile>>();
+  PictureSink sink;
+  sink.begin = [=]() -> Status {
+    auto begun = FilmFile::create(path.toStdString(), count, perSecond);
+    if (!begun) return begun.error();
+    *film = *std::move(begun);
+    return {};
+  };
+  sink.take = [film](std::size_t, const MadePicture& picture) {
+    return (*film)->add(picture.image, picture.text, {});
+  };
+  sink.finish = [film, path](std::size_t) -> Result<QString> {
+    if (Status written = (*film)->finish({}); !written) return written.error();
+    return tr("Saved %1").arg(path);
+  };
+  return sink;
 }
 
 PictureSink clipboard() {

@@ -34,6 +34,20 @@ void ExportFeature::askForPrinter(const char* name, QWidget* option,
   dialog->open();
 }
 
+SnapshotSeen ExportFeature::sceneNow(bool namesHidden) const {
+  const ViewId view = sceneViewOf(session_.workspace());
+  const DrawnScenes& drawn = bench_.document.drawn;
+  const TissueLeft::Entry* tissue = drawn.tissue(view);
+  return {drawn.series(view), bench_.sceneInView(),
+          segmentsInPicture(drawn.segments(view), tissue ? tissue->key.shown : TissueShown{}), namesHidden};
+}
+
+PictureMakerPtr ExportFeature::picturesOf(const SnapshotRequest& request) const {
+  return scenePictures(bench_.document.drawService, request, [this](const Plan& plan) {
+    return measuredError(bench_.document.meter.measured(), plan);
+  });
+}
+
 QString ExportFeature::pictureFilters() { return tr("PNG pictures (*.png);;JPEG pictures (*.jpg *.jpeg)"); }
 
 QString ExportFeature::fileName(const Series& series) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ui/exports/exports.h"
+#include "ui/exports/scene_pictures.h"
 #include "ui/features/feature.h"
 #include "ui/widgets/path_dialog.h"
 
@@ -22,6 +23,11 @@ class ExportFeature : public Feature {
   /// null.
   void askForPrinter(const char* dialog, QWidget* option,
                      const std::function<void(const std::shared_ptr<QPrinter>& printer)>& then);
+
+  /// Returns what the 3D view shows now; its series must be loaded.
+  SnapshotSeen sceneNow(bool namesHidden) const;
+  /// Makes the pictures of a snapshot or turn.
+  PictureMakerPtr picturesOf(const SnapshotRequest& request) const;
 
   /// Filters of PNG and JPEG files.
   static QString pictureFilters();

@@ -27,6 +27,7 @@ const std::vector<FeatureEntry>& features() {
       {"segment recipes", makeSegmentRecipes},
       {"view pictures", makeViewPictures},
       {"picture files", makePictureFiles},
+      {"films", makeFilms},
       {"printing", makePrinting},
       {"snapshots", makeSnapshots},
       {"file exports", makeFileExports},

@@ -71,6 +71,7 @@ std::unique_ptr<Feature> makeOpening(Workbench& bench);
 std::unique_ptr<Feature> makePages(Workbench& bench);
 std::unique_ptr<Feature> makePanels(Workbench& bench);
 std::unique_ptr<Feature> makePictureFiles(Workbench& bench);
+std::unique_ptr<Feature> makeFilms(Workbench& bench);
 std::unique_ptr<Feature> makePictureTurns(Workbench& bench);
 std::unique_ptr<Feature> makePlaneLines(Workbench& bench);
 std::unique_ptr<Feature> makePreferences(Workbench& bench);

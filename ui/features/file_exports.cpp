@@ -5,7 +5,6 @@
 #include "ui/controller/segment_target.h"
 #include "ui/exports/flat_pictures.h"
 #include "ui/exports/hand_over.h"
-#include "ui/exports/scene_pictures.h"
 #include "ui/features/exporting.h"
 #include "ui/panels/export_dialog.h"
 #include "ui/views/view_grid.h"
@@ -112,11 +111,7 @@ void FileExports::addOfView(std::vector<FileOffer>& offers, const Series& shown)
   offer.tags.hasNames = false;
   offer.tags.showsFace = showsFaceIn3d(shown);
   const auto rendered = [this](const SnapshotRequest& request) {
-    return [this, request](bool) {
-      return scenePictures(bench_.document.drawService, request, [this](const Plan& plan) {
-        return measuredError(bench_.document.meter.measured(), plan);
-      });
-    };
+    return [this, request](bool) { return picturesOf(request); };
   };
   offer.pictures = rendered(snapshot(1));
   offers.push_back(offer);
@@ -130,12 +125,8 @@ void FileExports::addOfView(std::vector<FileOffer>& offers, const Series& shown)
 
 SnapshotRequest FileExports::snapshot(int pictures) const {
   constexpr QSize ofTurn(512, 512);
-  const ViewId view = sceneViewOf(session_.workspace());
-  const DrawnScenes& drawn = bench_.document.drawn;
-  const TissueLeft::Entry* tissue = drawn.tissue(view);
   SnapshotRequest request;
-  request.seen = {drawn.series(view), bench_.sceneInView(),
-                  segmentsInPicture(drawn.segments(view), tissue ? tissue->key.shown : TissueShown{}), true};
+  request.seen = sceneNow(true);
   request.size = pictures > 1 ? ofTurn : bench_.view()->pixels();
   request.quality = Quality::standard;
   request.shown.letters = true;

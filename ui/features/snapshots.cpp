@@ -1,5 +1,4 @@
 #include "results/text/text.h"
-#include "ui/exports/scene_pictures.h"
 #include "ui/features/exporting.h"
 #include "ui/panels/snapshot_panel.h"
 #include "ui/views/view_grid.h"
@@ -71,12 +70,7 @@ std::optional<SnapshotRequest> Snapshots::wanted() {
     warn(tr("Open a series first."));
     return {};
   }
-  const ViewId view = sceneViewOf(session_.workspace());
-  const DrawnScenes& drawn = bench_.document.drawn;
-  const TissueLeft::Entry* tissue = drawn.tissue(view);
-  return panel_->chosen({drawn.series(view), bench_.sceneInView(),
-                         segmentsInPicture(drawn.segments(view), tissue ? tissue->key.shown : TissueShown{}),
-                         namesHidden()});
+  return panel_->chosen(sceneNow(namesHidden()));
 }
 
 // Uses the view and options at this moment, whatever happens while the file dialog is open.
@@ -103,10 +97,7 @@ void Snapshots::askForFolder() {
 }
 
 void Snapshots::take(const SnapshotRequest& request, const PictureSink& sink) {
-  const auto measured = [this](const Plan& plan) {
-    return measuredError(bench_.document.meter.measured(), plan);
-  };
-  run({tr("Rendering snapshot"), scenePictures(bench_.document.drawService, request, measured), sink});
+  run({tr("Rendering snapshot"), picturesOf(request), sink});
 }
 
 }  // namespace
