@@ -100,7 +100,8 @@ bool RunningFfmpeg::finish(const CancelToken& cancel) {
     std::this_thread::sleep_for(pollEvery);
   }
   pid_ = 0;
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+  // On a full disk it says so and succeeds all the same.
+  return WIFEXITED(status) && WEXITSTATUS(status) == 0 && lastLine().empty();
 }
 
 std::string RunningFfmpeg::lastLine() const {
@@ -153,14 +154,15 @@ class Mp4Film : public FilmFile {
   Status send(const QImage& picture, const CancelToken& cancel) {
     for (int y = 0; y < picture.height(); ++y)
       if (!running_->write(reinterpret_cast<const char*>(picture.constScanLine(y)),
-                           3 * std::size_t(picture.width()), cancel))
+                           3 * std::size_t(picture.width()), cancel)) {
+        running_->finish(cancel);  // its last line is complete then
         return failure(cancel);
+      }
     return {};
   }
 
   Status failure(const CancelToken& cancel) {
     if (cancel.cancelled()) return Error{"Cancelled."};
-    running_->finish(cancel);  // its last line is complete then
     const std::string line = running_->lastLine();
     return fail(line.empty() ? "ffmpeg ended early" : "ffmpeg says: " + line);
   }
