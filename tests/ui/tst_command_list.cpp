@@ -319,7 +319,7 @@ void TestCommandList::otherWordsFindIt_data() {
   row("anonymize", "Hide names");
   row("report", "Report of key images and measurements...");
   row("findings", "Report of key images and measurements...");
-  row("video", "Stack as pictures...");
+  row("video", "Film...");
   row("calibrate", "True size");
   row("print", "Print picture...");
   row("ruler", "Length");

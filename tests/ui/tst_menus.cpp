@@ -80,7 +80,7 @@ void TestMenus::menusHoldWhatTheyShould_data() {
       "views...; Copy all views; Print picture...; "
       "More pictures >; Save 3D snapshot...; Copy 3D snapshot; Export...; Send to archive...; |; Quit");
   row("&File/More pictures",
-      "Picture of any size...; Stack as pictures...; Contact sheet...; |; "
+      "Picture of any size...; Stack as pictures...; Contact sheet...; Film...; |; "
       "Report of key images and measurements...");
   row("&Edit", "Undo; Redo; |; Remove table; Reset scissors; |; Preferences...");
   row("&View",
