@@ -41,7 +41,7 @@ class TestExportFilm : public QObject {
 
 namespace {
 
-constexpr int timePoints = 3;
+constexpr int filmPoints = 3;
 
 QImage pictureIn(const QString& path) { return QImage(path).convertToFormat(QImage::Format_RGB888); }
 
@@ -55,7 +55,7 @@ void TestExportFilm::initTestCase() {
       "NRRD0005\ntype: uint16\ndimension: 4\nspace: left-posterior-superior\nsizes: 8 8 8 3\n"
       "space directions: (2,0,0) (0,2,0) (0,0,2) none\nkinds: domain domain domain time\n"
       "space origin: (0,0,0)\nendian: little\nencoding: raw\n\n");
-  for (int n = 0; n < 8 * 8 * 8 * timePoints; ++n) {
+  for (int n = 0; n < 8 * 8 * 8 * filmPoints; ++n) {
     const int value = 100 * (n / (8 * 8 * 8) + 1);
     file.write(QByteArray(1, char(value & 255)) + QByteArray(1, char(value >> 8)));
   }
@@ -133,8 +133,8 @@ void TestExportFilm::timePointsAreInOneWindow() {
   QVERIFY2(done.status == 0, done.err);
   const FilmRead film = readAnimatedPng(contentsOf(path));
   QCOMPARE(film.flaw, QString());
-  QCOMPARE(film.pictures.size(), std::size_t(timePoints));
-  for (int n = 0; n < timePoints; ++n) {
+  QCOMPARE(film.pictures.size(), std::size_t(filmPoints));
+  for (int n = 0; n < filmPoints; ++n) {
     const QImage& picture = film.pictures[std::size_t(n)];
     const int grey = qGreen(picture.pixel(picture.width() / 2, picture.height() / 2));
     QVERIFY2(std::abs(grey - 255 * (n + 1) / 4) <= 1, qPrintable(QString::number(grey)));
@@ -145,7 +145,7 @@ void TestExportFilm::timePointsAreInOneWindow() {
   QVERIFY2(own.status == 0, own.err);
   const FilmRead ownFilm = readAnimatedPng(contentsOf(without));
   QCOMPARE(ownFilm.flaw, QString());
-  QCOMPARE(ownFilm.pictures.size(), std::size_t(timePoints));
+  QCOMPARE(ownFilm.pictures.size(), std::size_t(filmPoints));
   QVERIFY(ownFilm.pictures[0] != ownFilm.pictures[1]);
 }
 
