@@ -13,7 +13,7 @@ namespace volumen {
 namespace {
 
 DrawnOptions drawnOptions(const ExportJob& job) {
-  return {job.path, job.series, job.scene, job.method, false};
+  return {job.path, job.series, job.scene, job.method, job.removeTable};
 }
 
 Status takeSlice(const Opened& opened, const SlicePlane& plane, const std::optional<Window>& window,

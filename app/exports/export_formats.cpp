@@ -18,8 +18,8 @@ using Options = std::vector<const char*>;
 const Options planeOptions = {"--plane",  "--at",   "--index",     "--centre",       "--right",
                               "--down",   "--slab", "--slab-mode", "--mm-per-pixel", "--interpolation",
                               "--average"};
-const Options sceneOptions = {"--scene",      "--preset",  "--view",     "--mode",
-                              "--projection", "--quality", "--turntable"};
+const Options sceneOptions = {"--scene",      "--preset",  "--view",      "--mode",
+                              "--projection", "--quality", "--turntable", "--remove-table"};
 
 Options joined(Options all, const Options& more) {
   all.insert(all.end(), more.begin(), more.end());
@@ -131,6 +131,8 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
       ->type_name("FILE");
   app.add_option("--pdf", job.pdf, "Of pdf: the PDF file")->type_name("FILE");
   addSeries(app, job.series);
+  app.add_flag("--remove-table", job.removeTable,
+               "Of sc and films in 3D: CT: draw the patient alone, without table, cushions and cables");
   addSceneOptions(app, job.scene);
   app.get_option("--size")->description(
       "Picture size in pixels, WIDTHxHEIGHT (default: 512x512 in 3D, all of the volume for slices)");

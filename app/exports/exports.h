@@ -24,7 +24,7 @@ struct ExportJob {
   std::optional<int> turntable{};  ///< pictures of a full turn
   double frameMs = 100;
   int framesPerSecond = 10;
-  bool rle = false, timePoints = false;
+  bool rle = false, timePoints = false, removeTable = false;
 };
 
 /// What was written.

@@ -71,6 +71,7 @@ void TestExportCapture::renderingsAreThoseOfRender_data() {
                         << QString::fromLatin1(face);
   };
   row("CT", "ct-chest-lidc0314-138", "--preset CT-Bone --size 61x47", "NO");
+  row("without the table", "ct-chest-lidc0314-138", "--remove-table --size 40x40 --view left", "NO");
   row("MR of a head shows a face", "mr-head-ge-mprage-130", "--view left --size 64x64 --quality high", "YES");
   row("a scene of its own", "mr-head-ge-mprage-130", "--projection perspective --size 33x64", "YES");
   row("PET, a projection", "pet-ct/sts019-pet", "--mode mip --size 40x40", "NO");
@@ -215,6 +216,7 @@ void TestExportCapture::wrongWordsAreUsage_data() {
   row("a window of a rendering", "--as sc --window 40,400", "--window is for slices");
   row("a preset of a slice", "--as sc --plane axial --preset CT-Bone", "--preset is for 3D pictures");
   row("a turn of a slice", "--as sc --plane axial --turntable 3", "--turntable is for 3D pictures");
+  row("a slice has its table", "--as sc --plane axial --remove-table", "--remove-table is for 3D pictures");
   row("no size", "--as sc --size 0x7", "size");
   row("a window without width", "--as sc --plane axial --window 40,0", "width must be above 0");
   row("another format's option", "--as sc --roi x.json", "--roi does not go with --as sc");
