@@ -2,7 +2,6 @@
 
 #include <algorithm>
 
-#include "io/paths/open_path.h"
 #include "io/regular_file.h"
 #include "io/study/frame_series.h"
 #include "viewer/measure/scaled.h"
@@ -47,21 +46,19 @@ std::string shapeWords(const std::vector<Shape>& shapes, std::size_t n) {
   return "[" + std::to_string(n) + "] (" + ruleOf(shapes[n].kind).name + name + ")";
 }
 
-Result<ShapeSources> openForShapes(const std::string& path, const std::string& series,
+Result<ShapeSources> openForShapes(const Study& study, const std::string& path, const std::string& series,
                                    const std::vector<Shape>& shapes, bool needsVolume, const MemoryUse& use,
                                    const CancelToken& cancel) {
   const auto isOnFrame = [](const Shape& shape) { return shape.frame.has_value(); };
   ShapeSources sources;
   if (needsVolume || !std::ranges::all_of(shapes, isOnFrame)) {
-    Result<Opened> opened = openVolume(path, series, cancel, use);
+    Result<Opened> opened = openVolume(study, path, series, cancel, use);
     if (!opened) return opened.error();
     sources.volume = std::move(*opened);
   }
   if (std::ranges::none_of(shapes, isOnFrame)) return sources;
-  const Result<Study> study = openPath(path, {}, cancel);
-  if (!study) return study.error();
-  std::vector<Series> frames = frameSeries(*study);
-  frames.insert(frames.end(), study->volumes.begin(), study->volumes.end());
+  std::vector<Series> frames = frameSeries(study);
+  frames.insert(frames.end(), study.volumes.begin(), study.volumes.end());
   sources.frames = FramesToMeasure(std::move(frames));
   return sources;
 }

@@ -29,9 +29,9 @@ struct ShapeSources {
   std::optional<Opened> volume;
   FramesToMeasure frames;
 };
-/// Opens the series `series` of a path unless all shapes are on frames, and its frames if shapes are on some.
-/// `needsVolume`: the volume is needed besides.
-Result<ShapeSources> openForShapes(const std::string& path, const std::string& series,
+/// Opens the series `series` of a study, openStudyAt(path), unless all shapes are on frames, and its frames
+/// if shapes are on some. `needsVolume`: the volume is needed besides.
+Result<ShapeSources> openForShapes(const Study& study, const std::string& path, const std::string& series,
                                    const std::vector<Shape>& shapes, bool needsVolume, const MemoryUse& use,
                                    const CancelToken& cancel);
 

@@ -91,17 +91,15 @@ std::vector<Series> timePointsIn(const Study& study, std::size_t chosen) {
   return all;
 }
 
-Result<Opened> open(const std::string& path, const std::string& wanted, const MemoryUse& use,
-                    const Progress& progress, const CancelToken& cancel) {
-  const Result<Study> study = openPath(path, progress, cancel);
-  if (!study) return study.error();
-  if (study->volumes.empty()) return nothingToShow(path, *study);
-  const Result<std::size_t> chosen = chooseSeries(*study, wanted);
-  if (!chosen) return Error{chosen.message() + " " + printable(path) + " holds:" + listOf(*study)};
-  Result<Opened> opened = load(study->volumes[*chosen], use, progress, cancel);
+Result<Opened> open(const Study& study, const std::string& path, const std::string& wanted,
+                    const MemoryUse& use, const CancelToken& cancel) {
+  if (study.volumes.empty()) return nothingToShow(path, study);
+  const Result<std::size_t> chosen = chooseSeries(study, wanted);
+  if (!chosen) return Error{chosen.message() + " " + printable(path) + " holds:" + listOf(study)};
+  Result<Opened> opened = load(study.volumes[*chosen], use, terminalProgress(), cancel);
   if (!opened) return opened;
-  opened->timePoints = timePointsIn(*study, *chosen);
-  if (const std::string note = choiceNote(path, *study, wanted, *chosen); !note.empty())
+  opened->timePoints = timePointsIn(study, *chosen);
+  if (const std::string note = choiceNote(path, study, wanted, *chosen); !note.empty())
     opened->notes.insert(opened->notes.begin(), note);
   return opened;
 }
@@ -166,9 +164,21 @@ nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread) {
   return list;
 }
 
+Result<Study> openStudyAt(const std::string& path, const CancelToken& cancel) {
+  Result<Study> study = openPath(path, terminalProgress(), cancel);
+  endTerminalProgress();
+  return study;
+}
+
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel,
                           const MemoryUse& use) {
-  auto opened = open(path, series, use, terminalProgress(), cancel);
+  const Result<Study> study = openStudyAt(path, cancel);
+  return study ? openVolume(*study, path, series, cancel, use) : study.error();
+}
+
+Result<Opened> openVolume(const Study& study, const std::string& path, const std::string& series,
+                          const CancelToken& cancel, const MemoryUse& use) {
+  auto opened = open(study, path, series, use, cancel);
   endTerminalProgress();
   return opened;
 }

@@ -6,12 +6,11 @@
 
 #include "io/study/loaded.h"
 #include "io/study/series.h"
+#include "io/study/study.h"
 #include "viewer/segment/mask.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
-
-struct Study;
 
 /// A volume for a command, with notes for the user on how it was found and read.
 struct Opened {
@@ -53,11 +52,17 @@ struct MemoryUse {
 /// Segments: labels, sets of voxels and surfaces, measured.
 inline constexpr MemoryUse segmenting{"segmenting", 3.4};
 
+/// Returns openPath() of PATH, with progress on a terminal.
+Result<Study> openStudyAt(const std::string& path, const CancelToken& cancel);
+
 /// Opens PATH and loads the series that `--series` names, with progress on a terminal. If empty, it is the
 /// one with most voxels. Notes report this choice, and that of one of several volumes of a UID. The Error is
 /// a sentence for the user. If there is too little memory for `use`, nothing is read.
 Result<Opened> openVolume(const std::string& path, const std::string& series, const CancelToken& cancel,
                           const MemoryUse& use = {});
+/// Does the same for the study that openStudyAt(path) returned.
+Result<Opened> openVolume(const Study& study, const std::string& path, const std::string& series,
+                          const CancelToken& cancel, const MemoryUse& use = {});
 
 /// Returns the volumes of a study with the UID in `--series`, if there are several; else none.
 std::vector<std::size_t> volumesOfUid(const Study& study, const std::string& series);

@@ -82,8 +82,10 @@ Status measureSegments(nlohmann::ordered_json& all, Opened& opened, const Measur
 
 int work(const MeasureOptions& options, const std::vector<Shape>& shapes, const CancelToken& cancel) {
   const bool hasSegments = !options.segments.empty();
+  const Result<Study> study = openStudyAt(options.path, cancel);
+  if (!study) return fail(study.message(), cancel);
   Result<ShapeSources> sources =
-      openForShapes(options.path, options.series, shapes, hasSegments || shapes.empty(),
+      openForShapes(*study, options.path, options.series, shapes, hasSegments || shapes.empty(),
                     hasSegments ? segmenting : MemoryUse(), cancel);
   if (!sources) return fail(sources.message(), cancel);
   std::optional<Opened>& opened = sources->volume;

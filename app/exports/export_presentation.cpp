@@ -4,7 +4,6 @@
 #include "app/measured_shapes.h"
 #include "app/plane_options.h"
 #include "io/export/presentation_state.h"
-#include "io/paths/open_path.h"
 #include "results/numbers/shapes_presentation.h"
 #include "results/numbers/shapes_report.h"
 
@@ -28,10 +27,11 @@ Status checkPlaces(const ExportJob& job, const std::vector<Shape>& shapes, const
   return {};
 }
 
-Status addShapes(const ExportJob& job, const std::vector<Shape>& shapes, const ChosenPictures& chosen,
-                 PictureGreys& shown, Exported& exported, const CancelToken& cancel) {
+Status addShapes(const ExportJob& job, const Study& study, const std::vector<Shape>& shapes,
+                 const ChosenPictures& chosen, PictureGreys& shown, Exported& exported,
+                 const CancelToken& cancel) {
   if (Status s = checkPlaces(job, shapes, chosen); !s) return s;
-  const auto sources = openForShapes(job.path, chosen.series.id, shapes, false, {}, cancel);
+  const auto sources = openForShapes(study, job.path, chosen.series.id, shapes, false, {}, cancel);
   if (!sources) return sources.error();
   if (sources->volume) {
     addUnread(exported.unread, sources->volume->loaded.unread);
@@ -60,7 +60,7 @@ Result<Exported> exportPresentation(const ExportJob& job, const CancelToken& can
   if (!shapes) return shapes.error();
   const auto images = imagesIn(job.images);
   if (!images) return images.error();
-  const Result<Study> study = openPath(job.path, {}, cancel);
+  const Result<Study> study = openStudyAt(job.path, cancel);
   if (!study) return study.error();
   const auto chosen = choosePictures(job.path, *study, job.series, *images, instanceOf(*shapes));
   if (!chosen) return chosen.error();
@@ -77,7 +77,7 @@ Result<Exported> exportPresentation(const ExportJob& job, const CancelToken& can
   if (!shown) return shown.error();
   shown->presentation.label = "WINDOW";
   if (!shapes->empty())
-    if (Status s = addShapes(job, *shapes, *chosen, *shown, exported, cancel); !s) return s.error();
+    if (Status s = addShapes(job, *study, *shapes, *chosen, *shown, exported, cancel); !s) return s.error();
   ObjectTags tags;
   tags.description = "Presentation state";
   tags.seriesNumber = nextSeriesNumber(*study, series.studyUid);

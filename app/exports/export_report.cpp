@@ -6,7 +6,6 @@
 #include "app/segment_numbers.h"
 #include "io/open.h"
 #include "io/export/report_dicom.h"
-#include "io/paths/open_path.h"
 #include "results/numbers/report_of_segments.h"
 #include "results/numbers/shapes_report.h"
 
@@ -19,7 +18,7 @@ Status addShapes(const ExportJob& job, const Study& study, Report& report, Expor
                  const CancelToken& cancel) {
   const auto shapes = readShapes(job.shapes);
   if (!shapes) return shapes.error();
-  auto sources = openForShapes(job.path, job.series, *shapes, false, {}, cancel);
+  auto sources = openForShapes(study, job.path, job.series, *shapes, false, {}, cancel);
   if (!sources) return sources.error();
   if (const auto& opened = sources->volume) exported = {opened->notes, opened->loaded.unread, {}};
   const ShapesVolume volume = volumeOf(*sources);
@@ -49,7 +48,7 @@ Status addSegments(const ExportJob& job, Study& study, Report& report, Exported&
                    const CancelToken& cancel) {
   const auto object = segmentationAt(job.segments);
   if (!object) return object.error();
-  auto opened = openVolume(job.path, job.series, cancel, segmenting);
+  auto opened = openVolume(study, job.path, job.series, cancel, segmenting);
   if (!opened) return opened.error();
   const auto segments = segmentsOfFile(job.segments, *opened, cancel);
   if (!segments) return segments.error();
@@ -83,7 +82,7 @@ Status checkReport(const ExportJob& job) {
 }
 
 Result<Exported> exportReport(const ExportJob& job, const CancelToken& cancel) {
-  Result<Study> study = openPath(job.path, {}, cancel);
+  Result<Study> study = openStudyAt(job.path, cancel);
   if (!study) return study.error();
   Report report;
   Exported exported;

@@ -7,7 +7,6 @@
 #include "app/progress.h"
 #include "io/export/dicom_series.h"
 #include "io/export/study_object.h"
-#include "io/paths/open_path.h"
 
 namespace volumen {
 
@@ -40,14 +39,14 @@ Result<Exported> exportSeries(const ExportJob& job, const CancelToken& cancel) {
   const auto asked = readPlane(job.plane);
   if (!asked) return asked.error();
   if (Status s = checkDicomFolder(job.output); !s) return s.error();
-  auto opened = openVolume(job.path, job.series, cancel);
+  const Result<Study> study = openStudyAt(job.path, cancel);
+  if (!study) return study.error();
+  auto opened = openVolume(*study, job.path, job.series, cancel);
   if (!opened) return opened.error();
   if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
   noteEvenSlices(job.plane, *opened);
   const auto stack = planeStack(job, *asked, opened->loaded.drawn->geometry());
   if (!stack) return stack.error();
-  const Result<Study> study = openPath(job.path, {}, cancel);
-  if (!study) return study.error();
   const int seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
   const auto notes = writeStack(*opened, *stack, seriesNumber, job.output, cancel);
   endTerminalProgress();

@@ -3,18 +3,17 @@
 #include "app/open_volume.h"
 #include "app/segment_numbers.h"
 #include "io/export/rtstruct.h"
-#include "io/paths/open_path.h"
 
 namespace volumen {
 
 Result<Exported> exportStructureSet(const ExportJob& job, const CancelToken& cancel) {
-  auto opened = openVolume(job.path, job.series, cancel, segmenting);
+  const Result<Study> study = openStudyAt(job.path, cancel);
+  if (!study) return study.error();
+  auto opened = openVolume(*study, job.path, job.series, cancel, segmenting);
   if (!opened) return opened.error();
   const auto segments = segmentsOfFile(job.segments, *opened, cancel);
   if (!segments) return segments.error();
   if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
-  const Result<Study> study = openPath(job.path, {}, cancel);
-  if (!study) return study.error();
   StructureSetTags tags;
   tags.description = "Segments";
   tags.seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
