@@ -32,7 +32,7 @@ Status checkMp4(const ExportJob& job) {
 }
 
 Result<Exported> exportFilm(const ExportJob& job, const CancelToken& cancel) {
-  // Before minutes are spent on pictures.
+  // A file that cannot be written is told before minutes are spent on pictures.
   if (auto file = createNew(job.output); !file) return file.error();
   if (auto film = FilmFile::create(job.output, 1, job.framesPerSecond); !film) return film.error();
   std::unique_ptr<FilmFile> film;

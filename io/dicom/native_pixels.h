@@ -6,8 +6,8 @@ class DcmDataset;
 
 namespace volumen::dicom {
 
-/// Puts the decoded pixels of a file that is compressed as JPEG 2000 or HTJ2K into its data set, as
-/// PixelSource reads them, in place of the fragments. Its attributes then describe native pixels. `scanned`
+/// Decodes a file that is compressed as JPEG 2000 or HTJ2K, as PixelSource does, and puts the pixels into its
+/// data set in place of the fragments. The attributes of the data set then describe these pixels. `scanned`
 /// is the file after scan(). The Error, without the file's name and full stop: the pixels cannot be decoded.
 Status putNativePixels(const RegularFile& file, const ScannedFile& scanned, DcmDataset& data);
 

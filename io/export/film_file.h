@@ -8,7 +8,6 @@
 #include "viewer/volume/cancel.h"
 
 class QImage;
-class QSize;
 
 namespace volumen {
 

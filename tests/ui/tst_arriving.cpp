@@ -14,7 +14,7 @@ using namespace volumen::tests;
 
 namespace {
 
-// An archive ("slow", DICOMweb) with one study, which sends as many images as it is told to.
+// This archive ("slow", DICOMweb) has one study and sends as many images as it is told to.
 class SlowArchive {
  public:
   SlowArchive() {

@@ -35,8 +35,9 @@ bool isShownAsWhole(const std::set<std::string>& modalities) {
   });
 }
 
-// Returns the most images of these files that form a series; null if there are none. Their path is their own:
-// frames in memory are known by path and number, and numbers change as more images come.
+// Returns the series with most images that these files form; null if they hold none. It has a path of its own
+// for each number of files: frames in memory are found by path and number, and the numbers of images change
+// as more come.
 std::shared_ptr<const Series> largestOf(const std::vector<std::string>& files, const CancelToken& cancel) {
   Result<Study> study = openFiles(files, {}, cancel);
   if (!study) return nullptr;

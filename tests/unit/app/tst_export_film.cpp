@@ -1,5 +1,6 @@
-// Guards export.md, films: `volumen export --as apng` holds the pictures of `volumen render` and `volumen
-// slice` bit for bit, one a slice or time point, in one window; --as mp4 nearly; wrong words are usage.
+// Guards export.md, films: `volumen export --as apng` writes the pictures of `volumen render` and `volumen
+// slice` bit for bit, and `--as mp4` nearly. A film has one picture a slice or time point, all in one window.
+// Wrong options are refused as usage.
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -125,7 +126,8 @@ void TestExportFilm::stacksAreThoseOfSlice() {
           0);
 }
 
-// Without --window it is that of the largest series: the others are not as grey as it is.
+// Without --window, all time points are drawn in the window of the series that is opened first, so their
+// pictures differ as their values do.
 void TestExportFilm::timePointsAreInOneWindow() {
   const QString path = at(QStringLiteral("time.png")), series = at(QStringLiteral("time.nrrd"));
   const Outcome done = run(QStringLiteral("export"), series,

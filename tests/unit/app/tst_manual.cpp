@@ -89,9 +89,9 @@ class TestManual : public QObject {
 };
 
 /// Makes the files that examples name: a study in scans/, scene.json, shapes.json, bone.png (a picture that
-/// holds a scene), segments in first.seg.nrrd and second.seg.nrrd, an index of two studies, the second of
-/// which is forgotten, and an archive called main with study 1.2.3, which is fetched, if its program is
-/// installed.
+/// holds a scene), segments in first.seg.nrrd and second.seg.nrrd. The index has two studies, of which the
+/// second is forgotten. If dcmqrscp is installed, an archive called main has study 1.2.3, which is then
+/// fetched.
 void TestManual::initTestCase() {
   const auto made = [&](const char* line) {
     return runProgram(QString::fromLatin1(line).replace(QLatin1String("IN"), folder_.path())).status;

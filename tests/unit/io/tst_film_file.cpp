@@ -285,7 +285,7 @@ void TestFilmFile::cancelledLeavesNothing() {
   QVERIFY(contentsOf(path) == before);
 }
 
-// One that reads nothing, until the export is cancelled.
+// This ffmpeg reads nothing. The export waits for it until it is cancelled.
 void TestFilmFile::aProgramThatHangsIsEnded() {
   const OtherFfmpeg other("echo $$ >\"${0%/*}/pid\"; exec /bin/sleep 600\n");
   const QTemporaryDir folder;
