@@ -100,13 +100,17 @@ Result<SlicePlane> makePlane(const PlaneOptions& options, const AskedPlane& aske
   plane.size = asked.size ? *asked.size : sizeToCover(geometry, plane);
   plane.slabMm = options.slabMm;
   plane.slabMode = meaning(slabModes, options.slabMode);
-  plane.interpolation = meaning(interpolations, options.interpolation);
+  plane.interpolation = interpolationOf(options);
   plane.average = options.average;
   if (!options.index) {
     if (Status meets = checkMeets(plane, geometry); !meets) return meets.error();
     return plane;
   }
   return onIndex(plane, geometry, *options.index);
+}
+
+Interpolation interpolationOf(const PlaneOptions& options) {
+  return meaning(interpolations, options.interpolation);
 }
 
 nlohmann::ordered_json planeJson(const SlicePlane& plane) {
@@ -128,11 +132,11 @@ void noteEvenSlices(const PlaneOptions& options, Opened& opened) {
                          std::to_string(opened.loaded.drawn->size().z) + ".");
 }
 
-Result<std::optional<Window>> windowOf(const std::string& text) {
+Result<std::optional<Window>> windowOf(const std::string& text, const std::string& option) {
   if (text.empty()) return std::optional<Window>();
-  const auto window = numbersOf("--window", text, 2, "40,400");
+  const auto window = numbersOf(option, text, 2, "40,400");
   if (!window) return window.error();
-  if (!((*window)[1] > 0)) return Error{"--window: the width must be above 0."};
+  if (!((*window)[1] > 0)) return Error{option + ": the width must be above 0."};
   return std::optional(Window{(*window)[0], (*window)[1]});
 }
 

@@ -43,12 +43,14 @@ Result<AskedPlane> readPlane(const PlaneOptions& options);
 /// Returns the plane in a volume. The Error: it does not meet the volume, or has no slice of this index.
 Result<SlicePlane> makePlane(const PlaneOptions& options, const AskedPlane& asked,
                              const VoxelGeometry& geometry);
+/// Returns the interpolation of --interpolation.
+Interpolation interpolationOf(const PlaneOptions& options);
 /// Adds a note that --index counts the slices of the displayed volume, where these are not the acquired ones.
 void noteEvenSlices(const PlaneOptions& options, Opened& opened);
 /// Adds --window.
 void addWindow(CLI::App& app, std::string& window);
-/// Parses --window, centre and width; empty for an empty text. The Error (wrong usage) is a sentence.
-Result<std::optional<Window>> windowOf(const std::string& text);
+/// Parses centre and width of an option; empty for an empty text. The Error (wrong usage) names the option.
+Result<std::optional<Window>> windowOf(const std::string& text, const std::string& option = "--window");
 
 /// Returns a plane as `slice --print-plane` writes it.
 nlohmann::ordered_json planeJson(const SlicePlane& plane);

@@ -36,20 +36,24 @@ Result<QImage> greyImage(const Volume& volume, const SlicePlane& plane, const Gr
 }  // namespace
 
 Result<SlicePicture> slicePicture(const Opened& opened, const SlicePlane& plane,
-                                  const std::optional<Window>& window, const CancelToken& cancel) {
+                                  const std::optional<Window>& window, const std::optional<Overlay>& overlay,
+                                  const CancelToken& cancel) {
   const Volume& volume = *opened.loaded.drawn;
   const GreyMapping grey = windowGrey(volume, opened.series.format == "DICOM",
                                       window ? *window : firstWindow(volume, opened.series.unit));
-  auto image = greyImage(volume, plane, grey, cancel);
+  auto image = overlay ? sliceImage({{opened.loaded.drawn, grey}, overlay->layer}, plane)
+                       : greyImage(volume, plane, grey, cancel);
   if (!image) return image.error();
-  return SlicePicture{*std::move(image), windowText(grey)};
+  return SlicePicture{*std::move(image), windowText(grey), overlay ? overlay->words : std::string()};
 }
 
 PictureText sliceText(const SlicePlane& plane, const SlicePicture& picture) {
-  return {{"Software", "volumen " VOLUMEN_VERSION},
-          {"Comment", "Not for clinical use"},
-          {"volumen-plane", planeJson(plane).dump()},
-          {"volumen-window", picture.window}};
+  PictureText text = {{"Software", "volumen " VOLUMEN_VERSION},
+                      {"Comment", "Not for clinical use"},
+                      {"volumen-plane", planeJson(plane).dump()},
+                      {"volumen-window", picture.window}};
+  if (!picture.overlay.empty()) text.emplace_back("volumen-overlay", picture.overlay);
+  return text;
 }
 
 }  // namespace volumen

@@ -9,6 +9,7 @@
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "app/usage.h"
+#include "io/export/dicom_folder.h"
 #include "io/export/dicom_series.h"
 #include "io/files/header_text.h"
 #include "io/files/output_file.h"

@@ -204,6 +204,7 @@ int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) 
   const bool isKnown = format != formats.end();
   if (Status s = checkFormatOptions(app, isKnown ? &*format : nullptr); !s) return failUsage(s.message());
   if (!isKnown) return deidentify(options, cancel);
+  if (Status s = checkOther(app, options.job); !s) return failUsage(s.message());
   if (Status s = settlePlane(app, options.job); !s) return failUsage(s.message());
   if (format->check)
     if (Status s = format->check(options.job); !s) return failUsage(s.message());

@@ -21,6 +21,8 @@ namespace {
 struct SliceOptions {
   std::string path, series, output, window, presentation;
   PlaneOptions plane;
+  OverlayOptions overlay;
+  RelationOptions relation;
   bool printPlane = false, noWarningLine = false, noGraphics = false;
 };
 
@@ -41,14 +43,27 @@ Status writeValues(const Volume& volume, const SlicePlane& plane, const std::str
 }
 
 Status writeSlice(const SlicePlane& plane, const Opened& opened, const SliceOptions& options,
-                  const std::optional<Window>& window, const CancelToken& cancel) {
+                  const std::optional<Window>& window, const std::optional<Overlay>& overlay,
+                  const CancelToken& cancel) {
   if (Status s = checkPlane(plane); !s) return s;  // checks before memory for its pixels is taken
   if (isFloatPicture(options.output)) return writeValues(*opened.loaded.drawn, plane, options.output, cancel);
-  auto picture = slicePicture(opened, plane, window, cancel);
+  auto picture = slicePicture(opened, plane, window, overlay, cancel);
   if (!picture) return picture.error();
   const PictureText text = sliceText(plane, *picture);
   return writePictureWithWarnings(std::move(picture->image), text, opened.loaded.warnings,
                                   !options.noWarningLine, options.output);
+}
+
+Status checkOverlay(const SliceOptions& options) {
+  const bool relates = options.relation.registers || !options.relation.session.empty();
+  if (!options.overlay.isGiven())
+    return relates ? Error{"--register and --registration go with --overlay."} : Status();
+  if (options.plane.plane == acquiredPlane)
+    return Error{"--overlay is for planes through a volume, not for pictures as acquired."};
+  if (isFloatPicture(options.output))
+    return Error{"--overlay draws colours: name a picture that ends in .png."};
+  const auto window = windowOf(options.overlay.window, "--overlay-window");
+  return window ? Status() : Status(window.error());
 }
 
 // Checks options that are invalid for any volume.
@@ -66,6 +81,7 @@ Status checkUsage(const SliceOptions& options, const AskedPlane& asked) {
         "with it."};
   if (how.plane != acquiredPlane && !options.presentation.empty())
     return Error{"--presentation is for pictures as acquired: use it with --plane frame."};
+  if (Status s = checkOverlay(options); !s) return s;
   SlicePlane plane;
   if (asked.size) plane.size = *asked.size;
   return checkPlane(plane);
@@ -87,11 +103,13 @@ int run(const SliceOptions& options, const CancelToken& cancel) {
   auto opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
   noteEvenSlices(how, *opened);
+  const auto overlay = openOverlay(options.overlay, options.relation, options.path, *opened, cancel);
+  if (!overlay) return fail(overlay.message(), cancel);
   printNotes(opened->notes);
   const auto plane = makePlane(how, *asked, opened->loaded.drawn->geometry());
   if (!plane) return fail(plane.message());
   if (!options.output.empty()) {
-    if (Status s = writeSlice(*plane, *opened, options, *window, cancel); !s)
+    if (Status s = writeSlice(*plane, *opened, options, *window, *overlay, cancel); !s)
       return fail(s.message(), cancel);
     // With --print-plane, stdout holds only the plane.
     (options.printPlane ? std::cerr : std::cout) << printable(options.output) << '\n';
@@ -111,6 +129,8 @@ std::function<int()> makeSlice(CLI::App& app, const CancelToken& cancel) {
   app.add_option("--size", o->plane.size, "Picture size in pixels, WIDTHxHEIGHT (default: all of the volume)")
       ->type_name("WxH");
   addWindow(app, o->window);
+  addOverlayOptions(app, o->overlay);
+  addRelationOptions(app, o->relation);
   CLI::Option* presentation =
       app.add_option(
              "--presentation", o->presentation,

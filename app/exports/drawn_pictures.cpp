@@ -16,21 +16,27 @@ DrawnOptions drawnOptions(const ExportJob& job) {
   return {job.path, job.series, job.scene, job.method, job.removeTable};
 }
 
-Status takeSlice(const Opened& opened, const SlicePlane& plane, const std::optional<Window>& window,
+// What slices are drawn by.
+struct SliceLook {
+  std::optional<Window> window;
+  std::optional<Overlay> overlay;
+};
+
+Status takeSlice(const Opened& opened, const SlicePlane& plane, const SliceLook& look,
                  const PictureTaker& taker, const CancelToken& cancel) {
-  auto picture = slicePicture(opened, plane, window, cancel);
+  auto picture = slicePicture(opened, plane, look.window, look.overlay, cancel);
   if (!picture) return picture.error();
   PictureText text = sliceText(plane, *picture);
   addWarnings(picture->image, text, opened.loaded.warnings, true);
   return taker.take(picture->image, text);
 }
 
-Status takeStack(const Opened& opened, const SliceStack& stack, const std::optional<Window>& window,
+Status takeStack(const Opened& opened, const SliceStack& stack, const SliceLook& look,
                  const PictureTaker& taker, const CancelToken& cancel) {
   const Progress progress = terminalProgress();
   if (Status s = taker.begin(opened.series, stack.count); !s) return s;
   for (int n = 0; n < stack.count; ++n) {
-    if (Status s = takeSlice(opened, stack.plane(n), window, taker, cancel); !s) return s;
+    if (Status s = takeSlice(opened, stack.plane(n), look, taker, cancel); !s) return s;
     if (stack.count > 1 && progress) progress("drawing", std::size_t(n) + 1, std::size_t(stack.count));
   }
   return {};
@@ -46,7 +52,7 @@ Status takeTimePoints(Opened& opened, const SlicePlane& plane, const std::option
   for (const Series& step : opened.timePoints) {
     const auto at = openSeries(step, cancel);
     if (!at) return at.error();
-    if (Status s = takeSlice(*at, plane, shown, taker, cancel); !s) return s;
+    if (Status s = takeSlice(*at, plane, {shown, {}}, taker, cancel); !s) return s;
     addUnread(opened.loaded.unread, at->loaded.unread);
   }
   return {};
@@ -83,11 +89,11 @@ Status checkDrawn(const ExportJob& job) {
   if (job.hasPlane) {
     const auto asked = readPlane(job.plane);
     if (!asked) return asked.error();
-    const auto window = windowOf(job.window);
-    return window ? Status() : Status(window.error());
+    return checkWindows(job);
   }
   if (const std::string said = saidBySession(drawnOptions(job)); !said.empty())
     return Error{job.path + " is a session, which says what is drawn: leave " + said + " out."};
+  if (job.overlay.isGiven()) return Error{"--overlay is for slices: give --plane too."};
   if (!job.window.empty()) return Error{"--window is for slices: give --plane too."};
   const auto render = renderOptions(job.scene, job.method);
   return render ? Status() : Status(render.error());
@@ -104,9 +110,12 @@ Result<Exported> drawSlices(const ExportJob& job, SlicesDrawn which, const Pictu
   noteEvenSlices(job.plane, *opened);
   const auto stack = slicesOf(job, which, *asked, opened->loaded.drawn->geometry());
   if (!stack) return stack.error();
+  auto overlay = openOverlay(job.overlay, job.relation, job.path, *opened, cancel);
+  if (!overlay) return overlay.error();
+  const SliceLook look{*window, *std::move(overlay)};
   const Status taken = which == SlicesDrawn::timePoints
                            ? takeTimePoints(*opened, stack->first, *window, taker, cancel)
-                           : takeStack(*opened, *stack, *window, taker, cancel);
+                           : takeStack(*opened, *stack, look, taker, cancel);
   endTerminalProgress();
   if (!taken) return taken.error();
   return Exported{opened->notes, opened->loaded.unread};

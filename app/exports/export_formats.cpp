@@ -18,6 +18,9 @@ using Options = std::vector<const char*>;
 const Options planeOptions = {"--plane",  "--at",   "--index",     "--centre",       "--right",
                               "--down",   "--slab", "--slab-mode", "--mm-per-pixel", "--interpolation",
                               "--average"};
+const Options relationOptions = {"--register", "--registration"};
+const Options overlayOptions = {"--overlay", "--overlay-series", "--overlay-window", "--overlay-colours",
+                                "--overlay-opacity"};
 const Options sceneOptions = {"--scene",      "--preset",  "--view",      "--mode",
                               "--projection", "--quality", "--turntable", "--remove-table"};
 
@@ -36,9 +39,12 @@ const Options captureOptions = joined({"--frame-ms"}, sceneOptions);
 }  // namespace
 
 std::span<const ExportFormat> exportFormats() {
-  static const Options ofSeries = joined({"--series", "--size", "--spacing"}, planeOptions);
+  static const Options ofOther = joined(overlayOptions, relationOptions);
+  static const Options ofSeries =
+      joined(joined({"--series", "--size", "--spacing", "--window", "--onto", "--onto-series"}, planeOptions),
+             ofOther);
   static const Options ofPictures = joined({"--series", "--size", "--window"}, planeOptions);
-  static const Options ofCapture = joined(joined({"--rle"}, ofPictures), captureOptions);
+  static const Options ofCapture = joined(joined({"--rle"}, ofPictures), joined(captureOptions, ofOther));
   static const Options ofFilm =
       joined(joined({"--fps", "--spacing", "--time-points"}, ofPictures), sceneOptions);
   static const ExportFormat formats[] = {
@@ -57,7 +63,14 @@ std::span<const ExportFormat> exportFormats() {
        checkPresentation},
       {"seg", "segments as a DICOM segmentation", {"--segments"}, {"--series"}, exportSegmentation},
       {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
-      {"series", "slices along a plane as a DICOM series, into a folder", {}, ofSeries, exportSeries},
+      {"series",
+       "slices along a plane, fused with an overlay, or on the grid of another series, as a DICOM series, "
+       "into "
+       "a folder",
+       {},
+       ofSeries,
+       exportSeries,
+       checkSeries},
       {"stl",
        "surfaces of segments, a file each",
        {"--segments"},
@@ -99,6 +112,23 @@ Status checkFormatOptions(const CLI::App& app, const ExportFormat* format) {
       return Error{std::string("--as ") + format->name + " needs " + option + " " + value + "."};
     }
   return {};
+}
+
+Status checkOther(const CLI::App& app, const ExportJob& job) {
+  const auto given = [&](const char* option) { return isGiven(app, option); };
+  const auto refused = [&](const Options& options, const char* why) -> Status {
+    const auto found = std::ranges::find_if(options, given);
+    return found == options.end() ? Status() : Status(Error{std::string(*found) + why});
+  };
+  if (!job.isOnto() && !job.overlay.isGiven()) {
+    if (Status s = refused(overlayOptions, " goes with --overlay."); !s) return s;
+    return refused(relationOptions, " goes with --onto or --overlay.");
+  }
+  if (!job.isOnto()) return {};
+  if (Status s = refused(overlayOptions, " does not go with --onto: fuse along a plane."); !s) return s;
+  Options placing = joined({"--size", "--spacing", "--window"}, planeOptions);
+  std::erase(placing, std::string_view("--interpolation"));
+  return refused(placing, " does not go with --onto: the other series says where the slices lie.");
 }
 
 Status settlePlane(const CLI::App& app, ExportJob& job) {
@@ -155,6 +185,13 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
              "Of series and films: from slice to slice, in mm (default: the thickness of the slab, else the "
              "volume's spacing)"),
          1e-3, 1e6);
+  app.add_option("--onto", job.onto,
+                 "Of series: resample on the grid of this series, in its frame of reference (default with "
+                 "--onto-series: PATH)")
+      ->type_name("OTHER");
+  app.add_option("--onto-series", job.ontoSeries, "The series of OTHER, as --series")->type_name("SERIES");
+  addOverlayOptions(app, job.overlay);
+  addRelationOptions(app, job.relation);
 }
 
 }  // namespace volumen

@@ -29,6 +29,9 @@ void addFormatOptions(CLI::App& app, ExportJob& job);
 /// (wrong usage) names an option.
 Status checkFormatOptions(const CLI::App& app, const ExportFormat* format);
 
+/// Checks that options of another series fit each other. The Error (wrong usage) names an option.
+Status checkOther(const CLI::App& app, const ExportJob& job);
+
 /// Completes a job: whether it shows a plane, and that plane's size. The Error (wrong usage): an option of 3D
 /// pictures is given beside a plane.
 Status settlePlane(const CLI::App& app, ExportJob& job);

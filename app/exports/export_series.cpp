@@ -1,11 +1,14 @@
-#include "app/exports/exports.h"
-
+#include <functional>
 #include <nlohmann/json.hpp>
 
+#include "app/exports/export_fused.h"
+#include "app/exports/exports.h"
 #include "app/exports/plane_stack.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
+#include "io/export/dicom_folder.h"
 #include "io/export/dicom_series.h"
+#include "io/export/grid_series.h"
 #include "io/export/study_object.h"
 
 namespace volumen {
@@ -18,22 +21,65 @@ std::string outsideNote(float outside, const Opened& opened) {
          (isPadding ? "the padding value" : "the lowest value") + ", " + nlohmann::json(outside).dump() + ".";
 }
 
-// Returns notes for the user.
-Result<std::vector<std::string>> writeStack(const Opened& opened, const SliceStack& stack, int seriesNumber,
-                                            const std::string& folder, const CancelToken& cancel) {
+using TagsOf = std::function<DicomSeriesTags(DicomSeriesTags ofSource)>;
+
+// Writes what was made of a series.
+Result<Exported> writeMade(const ExportJob& job, Opened& opened, const StackVolume& made,
+                           const TagsOf& tagsOf, const CancelToken& cancel) {
   const Progress progress = terminalProgress();
-  const auto made = resampleStack(*opened.loaded.drawn, stack, progress, cancel);
-  if (!made) return made.error();
   auto tags = readDicomTags(opened.series, opened.loaded, progress, cancel);
   if (!tags) return tags.error();
-  auto notes =
-      writeDicomSeries(*made->volume, stackTags(*std::move(tags), opened.loaded, stack, seriesNumber), folder,
-                       progress, cancel);
-  if (notes && made->outside) notes->push_back(outsideNote(*made->outside, opened));
-  return notes;
+  const auto notes = writeDicomSeries(*made.volume, tagsOf(*std::move(tags)), job.output, progress, cancel);
+  endTerminalProgress();
+  if (!notes) return notes.error();
+  Exported exported{std::move(opened.notes), opened.loaded.unread, {}};
+  exported.notes.insert(exported.notes.end(), notes->begin(), notes->end());
+  if (made.outside) exported.notes.push_back(outsideNote(*made.outside, opened));
+  return exported;
+}
+
+Result<Exported> writeStack(const ExportJob& job, const SliceStack& stack, Opened opened, int seriesNumber,
+                            const CancelToken& cancel) {
+  const auto made = resampleStack(*opened.loaded.drawn, stack, terminalProgress(), cancel);
+  if (!made) return made.error();
+  const auto tagsOf = [&](DicomSeriesTags tags) {
+    return stackTags(std::move(tags), opened.loaded, stack, seriesNumber);
+  };
+  return writeMade(job, opened, *made, tagsOf, cancel);
+}
+
+// Returns the grid of --onto, with notes in `opened`.
+Result<OtherGrid> otherGrid(const ExportJob& job, Opened& opened, const CancelToken& cancel) {
+  const auto other = openVolume(job.onto.empty() ? job.path : job.onto, job.ontoSeries, cancel);
+  if (!other) return other.error();
+  if (Status s = checkLosses(other->series.path, other->loaded.unread); !s) return s.error();
+  addUnread(opened.loaded.unread, other->loaded.unread);
+  const auto relation = relationOfSpaces(*other, opened, job.relation, cancel);
+  if (!relation) return relation.error();
+  for (const auto* notes : {&other->notes, &relation->notes})
+    opened.notes.insert(opened.notes.end(), notes->begin(), notes->end());
+  const PlacedGrid placed{other->loaded.drawn->geometry(), relation->toFromFrom, interpolationOf(job.plane)};
+  return OtherGrid{placed, other->series, relation->words};
+}
+
+Result<Exported> writeOnto(const ExportJob& job, Opened opened, int seriesNumber, const CancelToken& cancel) {
+  const auto grid = otherGrid(job, opened, cancel);
+  if (!grid) return grid.error();
+  const auto made = resampleOnGrid(*opened.loaded.drawn, *grid, terminalProgress(), cancel);
+  if (!made) return made.error();
+  const auto tagsOf = [&](DicomSeriesTags tags) {
+    return gridTags(std::move(tags), opened.loaded, *grid, seriesNumber);
+  };
+  return writeMade(job, opened, *made, tagsOf, cancel);
 }
 
 }  // namespace
+
+Status checkSeries(const ExportJob& job) {
+  if (!job.window.empty() && !job.overlay.isGiven())
+    return Error{"--window does not go with --as series without --overlay: its values are kept."};
+  return checkWindows(job);
+}
 
 Result<Exported> exportSeries(const ExportJob& job, const CancelToken& cancel) {
   const auto asked = readPlane(job.plane);
@@ -44,16 +90,13 @@ Result<Exported> exportSeries(const ExportJob& job, const CancelToken& cancel) {
   auto opened = openVolume(*study, job.path, job.series, cancel);
   if (!opened) return opened.error();
   if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
+  const int seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
+  if (job.isOnto()) return writeOnto(job, *std::move(opened), seriesNumber, cancel);
   noteEvenSlices(job.plane, *opened);
   const auto stack = planeStack(job, *asked, opened->loaded.drawn->geometry());
   if (!stack) return stack.error();
-  const int seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
-  const auto notes = writeStack(*opened, *stack, seriesNumber, job.output, cancel);
-  endTerminalProgress();
-  if (!notes) return notes.error();
-  Exported exported{opened->notes, opened->loaded.unread, {}};
-  exported.notes.insert(exported.notes.end(), notes->begin(), notes->end());
-  return exported;
+  return job.overlay.isGiven() ? exportFused(job, *stack, *std::move(opened), seriesNumber, cancel)
+                               : writeStack(job, *stack, *std::move(opened), seriesNumber, cancel);
 }
 
 }  // namespace volumen

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/overlay_options.h"
 #include "app/plane_options.h"
 #include "app/scene_to_draw.h"
 #include "io/study/unread.h"
@@ -18,13 +19,17 @@ struct ExportJob {
   std::string shapes, images, title, segments, pdf, window;
   PlaneOptions plane;
   std::optional<double> spacingMm{};  ///< from slice to slice
-  bool hasPlane = false;              ///< an option of the plane is given
+  std::string onto, ontoSeries;       ///< the other series, whose grid to resample on
+  OverlayOptions overlay;
+  RelationOptions relation;  ///< of the two series
+  bool hasPlane = false;     ///< an option of the plane is given
   SceneOptions scene;
   MethodOptions method;
   std::optional<int> turntable{};  ///< pictures of a full turn
   double frameMs = 100;
   int framesPerSecond = 10;
   bool rle = false, timePoints = false, removeTable = false;
+  bool isOnto() const { return !onto.empty() || !ontoSeries.empty(); }
 };
 
 /// What was written.
@@ -40,6 +45,10 @@ Status checkDrawn(const ExportJob& job);
 Status checkAnimatedPng(const ExportJob& job);
 Status checkMp4(const ExportJob& job);
 Status checkPresentation(const ExportJob& job);
+Status checkSeries(const ExportJob& job);
+
+/// Parses --window and --overlay-window. The Error (wrong usage) names the option.
+Status checkWindows(const ExportJob& job);
 
 /// Each writes what a job names in one format (exportFormats()). The Error is a sentence for the user.
 Result<Exported> exportCapture(const ExportJob& job, const CancelToken& cancel);

@@ -15,7 +15,8 @@ std::string sha256(const std::string& text) {
   return QCryptographicHash::hash(inPng, QCryptographicHash::Sha256).toHex().toStdString();
 }
 
-// Returns 3 bytes a pixel without gaps between rows.
+}  // namespace
+
 std::vector<std::uint8_t> rgbOf(const QImage& image) {
   const QImage opaque = opaqueImage(image);
   const std::size_t row = std::size_t(opaque.width()) * 3;
@@ -24,8 +25,6 @@ std::vector<std::uint8_t> rgbOf(const QImage& image) {
     std::memcpy(&bytes[row * std::size_t(y)], opaque.constScanLine(y), row);
   return bytes;
 }
-
-}  // namespace
 
 Status CapturedPictures::take(const QImage& image, const PictureText& text, const CancelToken& cancel) try {
   if (!capture_) {

@@ -30,6 +30,9 @@ class CapturedPictures {
   std::optional<SecondaryCapture> capture_;
 };
 
+/// Returns 3 bytes a pixel without gaps between rows; what is transparent becomes black. Throws bad_alloc.
+std::vector<std::uint8_t> rgbOf(const QImage& image);
+
 /// Returns the texts of several pictures: those of the first one, without what holds for it alone.
 PictureText textOfAll(PictureText text, int pictures);
 

@@ -4,24 +4,17 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <cstring>
-#include <filesystem>
 #include <glm/geometric.hpp>
 
+#include "io/export/dicom_folder.h"
 #include "io/export/dicom_slice.h"
-#include "io/files/aside.h"
-#include "io/files/output_file.h"
 #include "io/study/series.h"
 
 namespace volumen {
 
 namespace {
-
-namespace fs = std::filesystem;
 
 Status checkRepresentable(const Volume& volume) {
   const std::string& name = volume.attributes().name;
@@ -60,23 +53,16 @@ OFCondition putPixels(const StoredSlice& pixels, glm::ivec3 size, DcmDataset& da
 }
 
 Status writeSlice(const DicomSliceWriter& writer, int k, const StoredSlice& pixels, glm::ivec3 size,
-                  const fs::path& folder) {
+                  const std::string& folder) {
   DcmFileFormat file;
   writer.put(k, pixels, *file.getDataset());
-  OFCondition done = putPixels(pixels, size, *file.getDataset());
-  char name[32];
-  std::snprintf(name, sizeof name, "slice-%05d.dcm", k + 1);
-  const std::string path = (folder / name).string();
-  errno = 0;
-  if (done.good()) done = file.saveFile(OFFilename(path.c_str()), EXS_LittleEndianExplicit);
-  if (done.bad())
-    return Error{"Cannot write " + std::string(name) +
-                 " of the series: " + (errno ? std::strerror(errno) : done.text()) + "."};
-  return {};
+  const OFCondition done = putPixels(pixels, size, *file.getDataset());
+  if (done.bad()) return Error{std::string("Cannot write a slice: ") + done.text() + "."};
+  return saveSlice(file, folder, k);
 }
 
 // Returns the largest rounding error of all values.
-Result<double> writeSlices(const Volume& volume, const DicomSliceWriter& writer, const fs::path& folder,
+Result<double> writeSlices(const Volume& volume, const DicomSliceWriter& writer, const std::string& folder,
                            const Progress& progress, const CancelToken& cancel) {
   double largestError = 0;
   for (int k = 0; k < volume.size().z; ++k) {
@@ -104,33 +90,7 @@ std::vector<std::string> notesOf(double largestError, const DicomSliceWriter& wr
   return notes;
 }
 
-// Treats "out/" and "out" alike and follows links to their target.
-fs::path targetOf(const std::string& folder) {
-  const fs::path target = fs::path(folder).lexically_normal();
-  return endOfLinks((target.has_filename() ? target : target.parent_path()).string());
-}
-
-fs::path parentOf(const fs::path& target) {
-  return target.has_parent_path() ? target.parent_path() : fs::path(".");
-}
-
-bool isEmptyOrMissing(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::exists(folder, error)) return true;
-  return fs::is_directory(folder, error) && fs::is_empty(folder, error);
-}
-
 }  // namespace
-
-Status checkDicomFolder(const std::string& folder) {
-  const fs::path target = targetOf(folder);
-  if (!isEmptyOrMissing(target))
-    return Error{folder + " exists and is not an empty folder; name a new one for the DICOM series."};
-  const auto probe = OutputFile::create((parentOf(target) / "slice.dcm").string());
-  if (probe) return {};
-  return Error{"Cannot make the folder " + folder + ": " + parentOf(target).string() +
-               " is missing or cannot be written."};
-}
 
 DicomSeriesTags dicomTags(const Series& series) {
   DicomSeriesTags tags;
@@ -168,18 +128,16 @@ Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const Di
                                                   const std::string& folder, const Progress& progress,
                                                   const CancelToken& cancel) {
   if (Status s = checkRepresentable(volume); !s) return s.error();
-  if (Status s = checkDicomFolder(folder); !s) return s.error();
-  const fs::path target = targetOf(folder), parent = parentOf(target);
-  const auto cannotMake = [&](const std::string& why) {
-    return Error{"Cannot make the folder " + folder + ": " + why + "."};
-  };
-  auto aside = FolderAside::in(parent.string());
-  if (!aside) return cannotMake(aside.message());
   const DicomSliceWriter writer(volume, tags);
-  const Result<double> largestError = writeSlices(volume, writer, aside->path(), progress, cancel);
-  if (!largestError) return largestError.error();
-  if (Status s = aside->become(target.string()); !s) return cannotMake(s.message());
-  return notesOf(*largestError, writer);
+  double largestError = 0;
+  const auto write = [&](const std::string& aside) -> Status {
+    const Result<double> written = writeSlices(volume, writer, aside, progress, cancel);
+    if (!written) return written.error();
+    largestError = *written;
+    return {};
+  };
+  if (Status s = writeDicomFolder(folder, write); !s) return s.error();
+  return notesOf(largestError, writer);
 }
 
 }  // namespace volumen

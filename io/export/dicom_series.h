@@ -21,6 +21,7 @@ struct Resampling {
   std::string imageType;                  ///< the same as a value of ImageType
   double thicknessMm = 0;                 ///< SliceThickness
   std::vector<std::vector<int>> sources;  ///< for each slice, the slices of the source that it shows
+  std::string frameOfReferenceUid{};      ///< of their positions, if it is not that of the source
 };
 
 /// Attributes of a written series beside pixels and geometry: its identity and its source's attributes.
@@ -46,10 +47,6 @@ DicomSeriesTags dicomTags(const Series& series);
 /// study, equipment and acquisition. The Error names a file that has changed since.
 Result<DicomSeriesTags> readDicomTags(const Series& series, const Loaded& loaded,
                                       const Progress& progress = {}, const CancelToken& cancel = {});
-
-/// Checks that a series can be written into this folder: it is empty, or can be created. Leaves nothing
-/// behind. The Error names the folder.
-Status checkDicomFolder(const std::string& folder);
 
 /// Writes a volume as a DICOM series into `folder`, one uncompressed file (Explicit VR Little Endian) a
 /// slice.

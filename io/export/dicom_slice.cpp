@@ -10,6 +10,7 @@
 #include <map>
 
 #include "io/export/dicom_modules.h"
+#include "io/export/study_object.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
@@ -130,7 +131,8 @@ const char* sopClassOf(const std::string& modality, bool isPet) {
   return isPet ? UID_PositronEmissionTomographyImageStorage : UID_SecondaryCaptureImageStorage;
 }
 
-// Returns the frame of reference of all source slices, or an empty string if they differ.
+}  // namespace
+
 std::string commonFrameOfReference(const DicomSource& source) {
   std::string uid;
   for (std::size_t n = 0; n < source.slices.size(); ++n) {
@@ -141,7 +143,16 @@ std::string commonFrameOfReference(const DicomSource& source) {
   return uid;
 }
 
-}  // namespace
+DicomElements placeElements(const VoxelGeometry& g, int k) {
+  const glm::dvec3 spacing = g.spacing(), p = g.patientFromVoxel({0, 0, k});
+  const glm::dvec3 row = g.patientFromVoxelStep[0] / spacing.x,
+                   column = g.patientFromVoxelStep[1] / spacing.y;
+  return {{0x00200032, decimals({p.x, p.y, p.z})},
+          {0x00200037, decimals({row.x, row.y, row.z, column.x, column.y, column.z})},
+          {0x00201041, decimal(glm::dot(p, glm::normalize(glm::cross(row, column))))},
+          {0x00280030, decimals({spacing.y, spacing.x})},
+          {0x00180088, decimal(sliceDistance(g))}};
+}
 
 DicomSliceWriter::DicomSliceWriter(const Volume& volume, const DicomSeriesTags& tags)
     : volume_(volume),
@@ -193,7 +204,9 @@ std::optional<StoredSlice> DicomSliceWriter::pixels(int k) const {
 DicomElements DicomSliceWriter::identityElements() const {
   DicomElements all = patientModule(tags_);
   append(all, studyModule(tags_, tags_.studyUid.empty() ? uids_.of("study") : tags_.studyUid));
-  const std::string space = commonFrameOfReference(tags_.source);
+  const bool isMoved = tags_.resampling && !tags_.resampling->frameOfReferenceUid.empty();
+  const std::string space =
+      isMoved ? tags_.resampling->frameOfReferenceUid : commonFrameOfReference(tags_.source);
   append(all, frameOfReferenceModule(space.empty() ? uids_.of("frame of reference") : space));
   return all;
 }
@@ -239,6 +252,7 @@ DicomElements DicomSliceWriter::withoutIdentity(DicomElements all) const {
 
 // Returns the elements that all slices of the source agree on and that hold on any plane.
 DicomElements DicomSliceWriter::commonOfAll() const {
+  constexpr std::uint32_t ofTheirSpace = 0x00201040;      // PositionReferenceIndicator
   constexpr std::uint32_t ofTheirPlane[] = {0x0008103f,   // SeriesDescriptionCodeSequence
                                             0x00181100,   // ReconstructionDiameter
                                             0x00181120,   // GantryDetectorTilt
@@ -248,6 +262,7 @@ DicomElements DicomSliceWriter::commonOfAll() const {
   auto all = byTag(tags_.source, firstInTime(tags_.source));
   for (int n = 0; n < int(tags_.source.slices.size()); ++n) keepCommon(all, byTag(tags_.source, n));
   for (const std::uint32_t tag : ofTheirPlane) all.erase(tag);
+  if (!tags_.resampling->frameOfReferenceUid.empty()) all.erase(ofTheirSpace);
   return withoutIdentity(flat(all));
 }
 
@@ -283,29 +298,9 @@ DicomElements DicomSliceWriter::derivationOf(int k, const StoredSlice& pixels) c
     std::snprintf(off, sizeof off, ", rounded to 16 bits (at most %.3g off)", pixels.largestError);
   words += off;
   words += "; written by volumen " VOLUMEN_VERSION;
-  std::vector<SourcePicture> pictures;
-  for (const int n : sources) {
-    const DicomSourceFile& file = tags_.source.file(n);
-    const int frame = file.isMultiFrame() ? int(tags_.source.slices[std::size_t(n)].frame) + 1 : 0;
-    const bool isKnown = !pictures.empty() && pictures.back().sopInstanceUid == file.sopInstanceUid &&
-                         pictures.back().frame == frame;  // a mosaic holds many slices
-    if (!isKnown) pictures.push_back({file.sopClassUid, file.sopInstanceUid, frame});
-  }
-  DicomElements all = derivation(words, pictures);
+  DicomElements all = derivation(words, picturesOf(tags_.source, sources));
   if (tags_.resampling) append(all, codeSequence(0x00089215, tags_.resampling->code, 0));
   return all;
-}
-
-DicomElements DicomSliceWriter::placeElements(int k) const {
-  const VoxelGeometry& g = volume_.geometry();
-  const glm::dvec3 spacing = g.spacing(), p = g.patientFromVoxel({0, 0, k});
-  const glm::dvec3 row = g.patientFromVoxelStep[0] / spacing.x,
-                   column = g.patientFromVoxelStep[1] / spacing.y;
-  return {{0x00200032, decimals({p.x, p.y, p.z})},
-          {0x00200037, decimals({row.x, row.y, row.z, column.x, column.y, column.z})},
-          {0x00201041, decimal(glm::dot(p, glm::normalize(glm::cross(row, column))))},
-          {0x00280030, decimals({spacing.y, spacing.x})},
-          {0x00180088, decimal(sliceDistance(g))}};
 }
 
 // Returns the elements that replace the source's.
@@ -321,7 +316,7 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
                        {0x00200013, std::to_string(k + 1)},
                        {0x00280004, "MONOCHROME2"}};
   if (!source.empty()) append(all, contributingEquipment(source));
-  append(all, placeElements(k));
+  append(all, placeElements(volume_.geometry(), k));
   append(all, derivationOf(k, pixels));
   append(all, padding(volume_, pixels));
   if (tags_.resampling)

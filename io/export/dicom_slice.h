@@ -8,6 +8,11 @@
 
 namespace volumen {
 
+/// Returns the frame of reference of all slices of a source, or an empty string if they differ.
+std::string commonFrameOfReference(const DicomSource& source);
+/// Returns the elements that say where slice `k` of a grid lies (Image Plane).
+DicomElements placeElements(const VoxelGeometry& geometry, int k);
+
 /// Writes the elements of the slices of one series.
 class DicomSliceWriter {
  public:
@@ -28,7 +33,6 @@ class DicomSliceWriter {
   DicomElements seriesElements() const;
   DicomElements sourceElements(int k) const;
   DicomElements derivedElements(int k, const StoredSlice& pixels, std::span<const DicomElement> source) const;
-  DicomElements placeElements(int k) const;
   std::string imageType(const std::string& ofSource) const;
   std::vector<int> sourcesOf(int k) const;
   std::optional<StoredAs> storedAs(int k) const;

@@ -84,8 +84,24 @@ DicomElements lossOf(const StudyObject& object) {
   return all;
 }
 
+Status checkFrames(const std::string& path, glm::ivec2 size, int frames, const CaptureTags& tags) {
+  constexpr int most = 65535;
+  constexpr double longest = 0xfffffffe;
+  if (frames < 1 || size.x < 1 || size.y < 1 || size.x > most || size.y > most || !(tags.frameMs > 0))
+    return Error{"Cannot write " + path +
+                 ": a Secondary Capture has at least one frame, 1 to 65535 rows and " +
+                 "columns, and a time from frame to frame above 0."};
+  if (!tags.rle && double(size.x) * size.y * planes * frames > longest)
+    return Error{"Cannot write " + path +
+                 ": its frames are more than the 4 GB that a DICOM file holds uncompressed; write fewer or "
+                 "smaller ones, or compress them (RLE)."};
+  return {};
+}
+
+}  // namespace
+
 DicomElements captureElements(const StudyObject& object, const Series& series, const CaptureTags& tags,
-                              glm::ivec2 size, int frames) {
+                              std::span<const SourcePicture> pictures, glm::ivec2 size, int frames) {
   const ObjectTags& dated = object.tags();
   DicomElements all = {{0x00080008, "DERIVED\\SECONDARY"},
                        {0x00080023, dated.date},
@@ -104,27 +120,11 @@ DicomElements captureElements(const StudyObject& object, const Series& series, c
   if (tags.showsFace) all.push_back({0x00280302, *tags.showsFace ? "YES" : "NO"});
   append(all, bodyPart(series));
   append(all, lossOf(object));
-  append(all, derivation(firstCharacters(tags.derivation, 1024), object.pictures()));
+  append(all, derivation(firstCharacters(tags.derivation, 1024), pictures));
   append(all, pixelModule(size));
   if (frames > 1) append(all, framesModule(frames, tags.frameMs));
   return all;
 }
-
-Status checkFrames(const std::string& path, glm::ivec2 size, int frames, const CaptureTags& tags) {
-  constexpr int most = 65535;
-  constexpr double longest = 0xfffffffe;
-  if (frames < 1 || size.x < 1 || size.y < 1 || size.x > most || size.y > most || !(tags.frameMs > 0))
-    return Error{"Cannot write " + path +
-                 ": a Secondary Capture has at least one frame, 1 to 65535 rows and " +
-                 "columns, and a time from frame to frame above 0."};
-  if (!tags.rle && double(size.x) * size.y * planes * frames > longest)
-    return Error{"Cannot write " + path +
-                 ": its frames are more than the 4 GB that a DICOM file holds uncompressed; write fewer or "
-                 "smaller ones, or compress them (RLE)."};
-  return {};
-}
-
-}  // namespace
 
 SecondaryCapture::SecondaryCapture(OutputFile out, std::string path, glm::ivec2 size, int frames, bool rle)
     : out_(std::move(out)), path_(std::move(path)), size_(size), frames_(frames), rle_(rle) {}
@@ -140,7 +140,7 @@ Result<SecondaryCapture> SecondaryCapture::begin(const std::string& path, const 
   DcmFileFormat file;
   object->put(
       frames > 1 ? UID_MultiframeTrueColorSecondaryCaptureImageStorage : UID_SecondaryCaptureImageStorage,
-      "OT", captureElements(*object, series, tags, size, frames), *file.getDataset());
+      "OT", captureElements(*object, series, tags, object->pictures(), size, frames), *file.getDataset());
   const E_TransferSyntax syntax = tags.rle ? EXS_RLELossless : EXS_LittleEndianExplicit;
   if (Status s = writeDicomFile(file, *out, path, syntax); !s) return s.error();
   SecondaryCapture capture(std::move(*out), path, size, frames, tags.rle);

@@ -21,6 +21,10 @@ struct CaptureTags : ObjectTags {
   std::vector<std::size_t> slices{};
 };
 
+/// Returns the elements of a Secondary Capture made of `pictures` that patient, study and series do not have.
+DicomElements captureElements(const StudyObject& object, const Series& series, const CaptureTags& tags,
+                              std::span<const SourcePicture> pictures, glm::ivec2 size, int frames);
+
 /// Writes pictures as a Secondary Capture into a new file: one as Secondary Capture Image, several as
 /// Multi-frame True Color (PS3.3 A.8.1, A.8.5); RGB, 8 bits. Frames are written as they come. The file
 /// appears with finish(), or not at all. Nothing in it lets anyone measure on the pictures.

@@ -6,13 +6,10 @@
 #include <glm/geometric.hpp>
 
 #include "viewer/slice/slice.h"
-#include "viewer/volume/available_memory.h"
 
 namespace volumen {
 
 namespace {
-
-constexpr double nearlyWhole = 1e-3;  // voxels
 
 struct Range {
   double low = HUGE_VAL, high = -HUGE_VAL;
@@ -21,12 +18,6 @@ struct Range {
 
 const char* wordOf(SlabMode mode) {
   return mode == SlabMode::max ? "max" : mode == SlabMode::min ? "min" : "mean";
-}
-
-const char* wordOf(Interpolation interpolation) {
-  return interpolation == Interpolation::linear    ? "linear"
-         : interpolation == Interpolation::nearest ? "nearest neighbour"
-                                                   : "cubic";
 }
 
 std::string millimetres(double mm) {
@@ -47,65 +38,11 @@ const char* planeName(const SlicePlane& plane) {
   return "Oblique";
 }
 
-// Returns the first and last slice of a volume whose voxels the samples of a plane lie on or between.
-std::pair<int, int> slicesMet(const VoxelGeometry& geometry, const SlicePlane& plane) {
-  const double inPixel = 0.5 / double(subSamples(plane, geometry));
-  const double deep = 0.5 * plane.slabMm * (1 - 1 / double(slabSamples(plane, geometry)));
-  Range k;
-  for (const double x : {inPixel, plane.size.x - inPixel})
-    for (const double y : {inPixel, plane.size.y - inPixel})
-      for (const double depth : {-deep, deep})
-        k.add(geometry.voxelFromPatient(plane.patientFromPixel({x, y}) + depth * plane.normal()).z);
-  const bool isOnSlice = k.high - k.low < nearlyWhole && std::abs(k.low - std::round(k.low)) < nearlyWhole;
-  const int more = plane.interpolation == Interpolation::cubic && !isOnSlice ? 1 : 0;
-  const double last = geometry.size.z - 1;
-  return {int(std::clamp(std::floor(k.low + nearlyWhole) - more, 0.0, last)),
-          int(std::clamp(std::ceil(k.high - nearlyWhole) + more, 0.0, last))};
-}
-
-std::vector<int> sourcesOf(const SlicePlane& plane, const Loaded& loaded) {
-  std::vector<int> all;
-  if (loaded.origins.empty()) return all;
-  const auto [first, last] = slicesMet(loaded.drawn->geometry(), plane);
-  for (int k = first; k <= last; ++k) {
-    const SliceOrigin& origin = loaded.origins[std::size_t(k)];
-    all.push_back(origin.below);
-    all.push_back(origin.above);
-  }
-  std::ranges::sort(all);
-  all.erase(std::unique(all.begin(), all.end()), all.end());
-  return all;
-}
-
-VoxelGeometry geometryOf(const SliceStack& stack) {
-  const SlicePlane& first = stack.first;
-  VoxelGeometry geometry;
-  geometry.size = {first.size, stack.count};
-  geometry.patientFromVoxelStep = {first.right * first.mmPerPixel, first.down * first.mmPerPixel,
-                                   first.normal() * stack.distanceMm};
-  geometry.origin = first.patientFromPixel({0.5, 0.5});
-  return geometry;
-}
-
-// Gives values to the pixels outside of the source.
-Result<std::optional<float>> fillOutside(std::vector<float>& values,
-                                         const std::optional<ValueRange>& padding) {
-  Range inside;
-  for (const float value : values)
-    if (!std::isnan(value)) inside.add(value);
-  if (inside.low > inside.high) return Error{"No pixel of the slices lies in the volume."};
-  const float outside = float(padding ? padding->low : inside.low);
-  bool isUsed = false;
-  for (float& value : values)
-    if (std::isnan(value)) value = outside, isUsed = true;
-  return isUsed ? std::optional(outside) : std::nullopt;
-}
-
 // PS3.3 C.8.16.1.4 has these terms for values made of several.
 Resampling resamplingOf(const SliceStack& stack) {
   const SlicePlane& plane = stack.first;
   Resampling how;
-  how.words = wordsOf(stack) + ", resampled with " + wordOf(plane.interpolation) + " interpolation";
+  how.words = wordsOf(stack) + ", resampled with " + wordsOf(plane.interpolation) + " interpolation";
   if (plane.average) how.words += ", averaged over pixels";
   how.thicknessMm = plane.slabMm > 0 ? plane.slabMm : stack.distanceMm;
   how.code = {"113072", "DCM", "Multiplanar reformatting"};
@@ -120,6 +57,28 @@ Resampling resamplingOf(const SliceStack& stack) {
 }
 
 }  // namespace
+
+std::vector<int> sourcesOf(const SlicePlane& plane, const Loaded& loaded) {
+  const VoxelGeometry& geometry = loaded.drawn->geometry();
+  const double inPixel = 0.5 / double(subSamples(plane, geometry));
+  const double deep = 0.5 * plane.slabMm * (1 - 1 / double(slabSamples(plane, geometry)));
+  Range k;
+  for (const double x : {inPixel, plane.size.x - inPixel})
+    for (const double y : {inPixel, plane.size.y - inPixel})
+      for (const double depth : {-deep, deep})
+        k.add(geometry.voxelFromPatient(plane.patientFromPixel({x, y}) + depth * plane.normal()).z);
+  return sourcesBetween(loaded, k.low, k.high, plane.interpolation);
+}
+
+VoxelGeometry geometryOf(const SliceStack& stack) {
+  const SlicePlane& first = stack.first;
+  VoxelGeometry geometry;
+  geometry.size = {first.size, stack.count};
+  geometry.patientFromVoxelStep = {first.right * first.mmPerPixel, first.down * first.mmPerPixel,
+                                   first.normal() * stack.distanceMm};
+  geometry.origin = first.patientFromPixel({0.5, 0.5});
+  return geometry;
+}
 
 SlicePlane SliceStack::plane(int n) const {
   SlicePlane plane = first;
@@ -143,32 +102,19 @@ Result<SliceStack> stackThrough(const VoxelGeometry& geometry, SlicePlane plane,
 
 Result<StackVolume> resampleStack(const Volume& volume, const SliceStack& stack, const Progress& progress,
                                   const CancelToken& cancel) {
-  const std::string& name = volume.attributes().name;
   if (!volume.geometry().calibrated)
     return Error{
-        name +
+        volume.attributes().name +
         " is not calibrated: slices along a plane need positions in mm; `volumen slice` writes pictures."};
   if (Status s = checkPlane(stack.first); !s) return s.error();
-  VolumeParts parts{geometryOf(stack), {}, 1, 0, volume.attributes()};
-  const auto voxels = std::uint64_t(parts.geometry.voxelCount());
-  if (Status s = checkAvailable(name + ": resampling it", voxels * sizeof(float)); !s) return s.error();
-  std::vector<float> values;
-  values.reserve(voxels);
-  for (int n = 0; n < stack.count; ++n) {
-    if (progress) progress("resampling", std::size_t(n), std::size_t(stack.count));
+  const auto append = [&](int n, std::vector<float>& values) {
     const auto use = [&](std::span<const float> rows) -> Status {
       values.insert(values.end(), rows.begin(), rows.end());
       return {};
     };
-    if (Status s = resampleSliceByRows(volume, stack.plane(n), use, cancel); !s) return s.error();
-  }
-  const auto outside = fillOutside(values, volume.attributes().padding);
-  if (!outside) return outside.error();
-  parts.values = std::move(values);
-  std::vector<std::string> warnings;
-  auto made = Volume::make(std::move(parts), warnings);
-  if (!made) return made.error();
-  return StackVolume{*std::move(made), *outside};
+    return resampleSliceByRows(volume, stack.plane(n), use, cancel);
+  };
+  return volumeOfSlices(volume, geometryOf(stack), append, progress);
 }
 
 std::string wordsOf(const SliceStack& stack) {

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <optional>
-
 #include "io/export/dicom_series.h"
+#include "io/export/stack_volume.h"
 #include "viewer/slice/plane.h"
 
 namespace volumen {
@@ -21,15 +20,14 @@ struct SliceStack {
 /// centred on it. The Error: they are more than a series can number.
 Result<SliceStack> stackThrough(const VoxelGeometry& geometry, SlicePlane plane, double distanceMm);
 
-/// A volume whose slices are those of a stack.
-struct StackVolume {
-  VolumePtr volume;
-  std::optional<float> outside;  ///< value of the pixels outside of the source; empty: there are none
-};
+/// Returns the grid whose slices are the planes of a stack.
+VoxelGeometry geometryOf(const SliceStack& stack);
+/// Returns the slices of a source (indices of Series::files) whose voxels the samples of a plane lie on or
+/// between.
+std::vector<int> sourcesOf(const SlicePlane& plane, const Loaded& loaded);
 
-/// Resamples a volume on each plane of a stack (resampleSlice). Pixels outside of it get the lowest value of
-/// its padding, or if it has none, the lowest of all pixels. The Error: the volume is not calibrated, no
-/// pixel lies in it, memory is too small, or cancelled.
+/// Resamples a volume on each plane of a stack (resampleSlice). The Error: the volume is not calibrated,
+/// cancelled, or that of volumeOfSlices().
 Result<StackVolume> resampleStack(const Volume& volume, const SliceStack& stack,
                                   const Progress& progress = {}, const CancelToken& cancel = {});
 

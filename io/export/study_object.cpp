@@ -116,6 +116,19 @@ std::vector<SourcePicture> StudyObject::pictures() const {
   return all;
 }
 
+std::vector<SourcePicture> picturesOf(const DicomSource& source, std::span<const int> slices) {
+  std::vector<SourcePicture> all;
+  for (const int n : slices) {
+    const DicomSourceFile& file = source.file(n);
+    const int frame = file.isMultiFrame() ? int(source.slices[std::size_t(n)].frame) + 1 : 0;
+    const bool isKnown =
+        !all.empty() && all.back().sopInstanceUid == file.sopInstanceUid && all.back().frame == frame;
+    if (!isKnown)
+      all.push_back({file.sopClassUid, file.sopInstanceUid, frame});  // a mosaic holds many slices
+  }
+  return all;
+}
+
 void putInStudy(const DicomElements& ofStudy, const std::string& characterSet, const std::string& studyUid,
                 const DicomElements& made, DcmItem& into) {
   // Patient and study have to be there even where the source does not say them (types 1 and 2).

@@ -50,6 +50,9 @@ class StudyObject {
   bool areChosen_;
 };
 
+/// Returns the pictures of some slices of a source, each once.
+std::vector<SourcePicture> picturesOf(const DicomSource& source, std::span<const int> slices);
+
 /// Puts patient and study (texts in `characterSet`) and what was made for a new object (texts in UTF-8) into
 /// a data set. All is in the character set if it holds all texts, else in ISO_IR 192.
 void putInStudy(const DicomElements& ofStudy, const std::string& characterSet, const std::string& studyUid,

@@ -224,6 +224,16 @@ Status writeSession(const std::string& path, const Result<std::string>& text, co
 
 }  // namespace
 
+Result<std::optional<FrameRelation>> relationInSession(const std::string& path, const std::string& from,
+                                                       const std::string& to) {
+  const auto text = sessionText(path);
+  if (!text) return text.error();
+  const auto session =
+      sessionFromJson(*text, [](const SavedSeries&) { return std::shared_ptr<const Series>(); });
+  if (!session) return Error{path + ": " + session.message()};
+  return relationOf(session->workspace, from, to);
+}
+
 Result<OpenedSession> openSession(const std::string& path, const Progress& progress,
                                   const CancelToken& cancel) {
   const auto text = sessionText(path);

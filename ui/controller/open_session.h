@@ -9,6 +9,7 @@
 #include "io/study/progress.h"
 #include "ui/controller/segment_files.h"
 #include "ui/workspace/hand_work.h"
+#include "ui/workspace/links.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -35,6 +36,11 @@ struct OpenedSession {
 /// names the file.
 Result<OpenedSession> openSession(const std::string& path, const Progress& progress = {},
                                   const CancelToken& cancel = {});
+
+/// Returns how the frames of reference of two series are linked in a session file; empty if they are not. Its
+/// series are not searched for. The Error names the file.
+Result<std::optional<FrameRelation>> relationInSession(const std::string& path, const std::string& from,
+                                                       const std::string& to);
 
 /// Writes a session file, and the labels of segments beside it. The Error names the file.
 Status saveSession(const std::string& path, const Workspace& workspace);

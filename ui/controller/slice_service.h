@@ -6,7 +6,7 @@
 
 #include "results/series/loaded_frame.h"
 #include "ui/controller/segment_layer.h"
-#include "ui/controller/slice_image.h"
+#include "results/pictures/slice_image.h"
 #include "ui/document/job_lane.h"
 #include "ui/workspace/view_id.h"
 

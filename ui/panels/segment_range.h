@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "ui/controller/segment_editing.h"
-#include "ui/controller/slice_image.h"
+#include "results/pictures/slice_image.h"
 
 class QCheckBox;
 class QComboBox;

@@ -6,7 +6,7 @@
 
 #include "results/pictures/overlays.h"
 #include "ui/controller/draw_service.h"
-#include "ui/controller/slice_image.h"
+#include "results/pictures/slice_image.h"
 #include "ui/derivations/drawn_scenes.h"
 #include "ui/tools/tool.h"
 #include "ui/views/drawn_measurement.h"

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "results/series/usual_window.h"
 #include "results/text/text.h"
 #include "results/text/value_text.h"
 #include "viewer/scene/modes.h"
@@ -14,24 +15,6 @@ namespace {
 
 bool isHounsfield(const Series& series) { return series.unit == "HU"; }
 
-// SUVbw. PET of FDG is read from 0 to 5, 7 or 10; this is the middle one, and digits choose the others.
-// Windows in PET files follow the brightest voxel of each slice, which is bladder or brain.
-constexpr double mostUptake = 7;
-
-// Empty if the uptake is unknown.
-std::optional<Window> uptakeWindow(const Series& series) {
-  if (series.modality != "PT") return {};
-  const ValueScale scale = valueScale(series, PetUnit::suvBodyWeight);
-  if (!scale.unit.starts_with("SUV")) return {};
-  return Window{mostUptake / 2 / scale.factor, mostUptake / scale.factor};
-}
-
-// Orients a window as its modality is read: high values are dark in PET, else bright.
-Window inUsualSense(const Series& series, const Window& window) {
-  const double width = std::abs(window.width);
-  return {window.centre, series.modality == "PT" ? -width : width};
-}
-
 // Smallest width that a drag makes, as a share of the spread of values.
 constexpr double finest = 1.0 / 4000;
 
@@ -42,8 +25,7 @@ Window windowInUse(const Scene& scene, const LoadedSeries& series) {
 }
 
 Window flatWindow(const SeriesState& state, const LoadedSeries& series) {
-  const Window first = uptakeWindow(series.series).value_or(series.flatWindow.value_or(series.window));
-  return state.window.value_or(inUsualSense(series.series, first));
+  return state.window.value_or(usualWindow(series.series, series.flatWindow.value_or(series.window)));
 }
 
 std::optional<Window> windowToCome(const Series& series, const std::optional<Window>& ofFile) {

@@ -297,6 +297,11 @@ LineKernel chooseLayerKernel(const VoxelValues& stored, int axis) {
   return HWY_DYNAMIC_DISPATCH(ChooseLayer)(stored, axis);
 }
 
+LineKernel chooseKernel(const Volume& volume, Interpolation interpolation) {
+  const bool isFlat = volume.size().z == 1 && interpolation == Interpolation::linear;
+  return isFlat ? chooseLayerKernel(volume.stored(), 2) : chooseLineKernel(volume.stored(), interpolation);
+}
+
 namespace {
 
 std::int64_t clampedIndex(double n, SampleRange range) {

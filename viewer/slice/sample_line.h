@@ -43,4 +43,7 @@ LineKernel chooseLineKernel(const VoxelValues& stored, Interpolation interpolati
 /// axis 2 the values equal those of chooseLineKernel() bit for bit.
 LineKernel chooseLayerKernel(const VoxelValues& stored, int axis);
 
+/// Returns the line kernel for a volume. In a volume of one slice every point lies on that slice.
+LineKernel chooseKernel(const Volume& volume, Interpolation interpolation);
+
 }  // namespace volumen

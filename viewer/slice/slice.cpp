@@ -84,12 +84,6 @@ SlabMode storedMode(SlabMode mode, double slope) {
   return mode == SlabMode::max ? SlabMode::min : SlabMode::max;
 }
 
-// In a volume of one slice every point lies on that slice.
-LineKernel kernelFor(const Volume& volume, Interpolation interpolation) {
-  const bool isFlat = volume.size().z == 1 && interpolation == Interpolation::linear;
-  return isFlat ? chooseLayerKernel(volume.stored(), 2) : chooseLineKernel(volume.stored(), interpolation);
-}
-
 class Resampler {
  public:
   Resampler(const Volume& volume, const SlicePlane& plane)
@@ -99,7 +93,7 @@ class Resampler {
         tileColumns_(int(std::max<std::int64_t>(1, columnsATile / perPixel_))),
         tileRows_(int(std::max<std::int64_t>(1, rowsATile / perPixel_))),
         mode_(storedMode(plane.slabMode, volume.slope())),
-        kernel_(kernelFor(volume, plane.interpolation)) {
+        kernel_(chooseKernel(volume, plane.interpolation)) {
     const VoxelGeometry& g = volume.geometry();
     const glm::dvec3 normal = plane.normal();
     const double s = plane.mmPerPixel;

@@ -1,10 +1,10 @@
-#include "ui/controller/slice_image.h"
+#include "results/pictures/slice_image.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
-#include "ui/controller/colour_mix.h"
+#include "results/pictures/colour_mix.h"
 #include "viewer/slice/slice.h"
 
 namespace volumen {
@@ -35,6 +35,8 @@ QImage colourImage(const SliceValues& slice, const GreyMapping& grey, ColourMap 
   return image;
 }
 
+}  // namespace
+
 SlicePlane planeMovedBy(SlicePlane plane, const Rigid& rigid) {
   if (rigid == Rigid{}) return plane;
   plane.centre = rigid(plane.centre);
@@ -43,8 +45,6 @@ SlicePlane planeMovedBy(SlicePlane plane, const Rigid& rigid) {
   plane.down = glm::normalize(plane.down - glm::dot(plane.down, plane.right) * plane.right);
   return plane;
 }
-
-}  // namespace
 
 // Tints the voxels of the range on the plane itself, without slab or interpolation.
 Result<QImage> withTint(QImage picture, const SliceLayer& layer, SlicePlane plane) {

@@ -34,6 +34,8 @@ struct SliceLayer {
   bool operator==(const SliceLayer&) const = default;
 };
 
+/// Returns the plane of one patient space in another one.
+SlicePlane planeMovedBy(SlicePlane plane, const Rigid& rigid);
 /// Returns the layers on a plane, first at the bottom, in the pixels of the plane. No layer is tinted;
 /// outside is black. The Error is that of resampleSlice().
 Result<QImage> sliceImage(const std::vector<SliceLayer>& layers, const SlicePlane& plane);

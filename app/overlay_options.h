@@ -1,0 +1,36 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <optional>
+#include <string>
+
+#include "app/space_relation.h"
+#include "results/pictures/slice_image.h"
+
+namespace volumen {
+
+/// The options of a series over slices (View > Overlay of the window), as typed.
+struct OverlayOptions {
+  std::string path, series, window, colours = "hotIron";
+  double opacity = 0.5;
+  bool isGiven() const { return !path.empty() || !series.empty(); }
+};
+
+/// A series over slices of another one.
+struct Overlay {
+  Opened opened;
+  SliceLayer layer;
+  std::string words;  ///< what lies over the slices, and how: series, colours, opacity, window, relation
+};
+
+/// Adds --overlay, --overlay-series, --overlay-window, --overlay-colours and --overlay-opacity.
+void addOverlayOptions(CLI::App& app, OverlayOptions& options);
+
+/// Opens the series of the options, with notes in `under`, the series below; empty if there is none. Without
+/// a path it is one of `underPath`. Its window is that of overlays in the window. The Error: it cannot be
+/// read, or is that of relationOfSpaces().
+Result<std::optional<Overlay>> openOverlay(const OverlayOptions& options, const RelationOptions& relation,
+                                           const std::string& underPath, Opened& under,
+                                           const CancelToken& cancel);
+
+}  // namespace volumen
