@@ -65,7 +65,7 @@ Json toJson(const DeidentifyReport& report) {
   return {
       {"written", report.written},     {"alreadyThere", report.alreadyThere}, {"twice", report.twice},
       {"notDicom", report.notDicom},   {"leftOut", listOf(report.leftOut)},   {"withText", report.withText},
-      {"withFaces", report.withFaces}, {"withoutSuv", report.withoutSuv}};
+      {"withFaces", report.withFaces}, {"withoutSuv", report.withoutSuv},     {"faceless", report.faceless}};
 }
 
 void print(const DeidentifyReport& report, const std::string& folder, bool json) {
@@ -86,6 +86,7 @@ void warn(const DeidentifyReport& report) {
   for (const Refused& one : report.leftOut)
     std::cerr << "volumen: " << one.path << " is left out: " << one.reason << ".\n";
   noteSeries(report.withText, "Names may be burned into the pixels, look at them");
+  noteSeries(report.faceless, "The face was taken away in pictures of a head, look at a rendering");
   noteSeries(report.withFaces, "A face may be recognised in pictures of a head");
   noteSeries(report.withoutSuv,
              "SUV cannot be computed any more (--keep patient,dates keeps what it needs, or --shift-dates)");
@@ -132,7 +133,7 @@ int writeFormat(const ExportFormat& format, const ExportOptions& options, const 
 }
 
 Result<Deidentification> deidentificationOf(const ExportOptions& options) {
-  Deidentification how{options.retained, {}};
+  Deidentification how{options.retained, {}, options.job.deface};
   for (const Kept& one : keepable)
     how.retained.*one.member = std::ranges::find(options.kept, one.name) != options.kept.end();
   const auto key = options.keyFile.empty() ? userPseudonymKey() : pseudonymKeyIn(options.keyFile);
@@ -180,6 +181,16 @@ int writeWithoutIdentity(const ExportFormat& format, const ExportOptions& option
   return status == exitDone ? statusWith(done->unread) : status;
 }
 
+// The Error (wrong usage): --deface does not fit.
+Status checkDeface(const ExportOptions& options) {
+  if (!options.job.deface) return {};
+  if (options.deidentifies != options.format.empty() || !(options.deidentifies || options.format == "series"))
+    return Error{"--deface goes with --as series, or with --deidentify alone."};
+  const bool keepsUids = std::ranges::find(options.kept, "uids") != options.kept.end();
+  if (keepsUids) return Error{"--deface makes other pictures, which need other UIDs: leave \"uids\" out."};
+  return {};
+}
+
 // The Error (wrong usage): options of --deidentify do not fit.
 Status checkIdentity(const ExportOptions& options) {
   const ExportJob& job = options.job;
@@ -199,6 +210,7 @@ int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) 
   if (options.format.empty() && !options.deidentifies)
     return failUsage("Say what leaves: --as FORMAT, --deidentify or both.");
   if (Status s = checkIdentity(options); !s) return failUsage(s.message());
+  if (Status s = checkDeface(options); !s) return failUsage(s.message());
   const auto formats = exportFormats();
   const auto format = std::ranges::find(formats, options.format, &ExportFormat::name);
   const bool isKnown = format != formats.end();
@@ -234,6 +246,9 @@ std::function<int()> makeExport(CLI::App& app, const CancelToken& cancel) {
   addFormatOptions(app, job);
   app.add_flag("--deidentify", options->deidentifies,
                "Remove the patient's identity (PS3.15 E, Basic Application Level Confidentiality Profile)");
+  app.add_flag("--deface", job.deface,
+               "Take the face of heads of CT and MR away, air in its place and in front of it: with --as "
+               "series of the slices as they are, with --deidentify of the copies of all heads");
   std::vector<std::string> names;
   for (const Kept& one : keepable) names.emplace_back(one.name);
   app.add_option(

@@ -64,9 +64,8 @@ std::span<const ExportFormat> exportFormats() {
       {"seg", "segments as a DICOM segmentation", {"--segments"}, {"--series"}, exportSegmentation},
       {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
       {"series",
-       "slices along a plane, fused with an overlay, or on the grid of another series, as a DICOM series, "
-       "into "
-       "a folder",
+       "slices along a plane, fused with an overlay, on the grid of another series, or without a face, as a "
+       "DICOM series, into a folder",
        {},
        ofSeries,
        exportSeries,

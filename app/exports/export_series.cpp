@@ -10,6 +10,7 @@
 #include "io/export/dicom_series.h"
 #include "io/export/grid_series.h"
 #include "io/export/study_object.h"
+#include "viewer/segment/face.h"
 
 namespace volumen {
 
@@ -48,6 +49,19 @@ Result<Exported> writeStack(const ExportJob& job, const SliceStack& stack, Opene
   return writeMade(job, opened, *made, tagsOf, cancel);
 }
 
+Result<Exported> writeDefaced(const ExportJob& job, Opened opened, int seriesNumber,
+                              const CancelToken& cancel) {
+  noteKeptTilt(opened);
+  const auto without = defaced(*opened.loaded.drawn, cancel);
+  if (!without) return without.error();
+  const auto tagsOf = [&](DicomSeriesTags tags) { return defacedTags(std::move(tags), seriesNumber); };
+  auto exported = writeMade(job, opened, StackVolume{*without, {}}, tagsOf, cancel);
+  if (exported)
+    exported->notes.emplace_back(
+        "The face was taken away, and the air in front of it. Look at a rendering before you hand it on.");
+  return exported;
+}
+
 // Returns the grid of --onto, with notes in `opened`.
 Result<OtherGrid> otherGrid(const ExportJob& job, Opened& opened, const CancelToken& cancel) {
   const auto other = openVolume(job.onto.empty() ? job.path : job.onto, job.ontoSeries, cancel);
@@ -78,6 +92,11 @@ Result<Exported> writeOnto(const ExportJob& job, Opened opened, int seriesNumber
 Status checkSeries(const ExportJob& job) {
   if (!job.window.empty() && !job.overlay.isGiven())
     return Error{"--window does not go with --as series without --overlay: its values are kept."};
+  const bool hasStack = job.hasPlane || job.spacingMm || !job.plane.size.empty();
+  if (job.deface && (hasStack || job.isOnto() || job.overlay.isGiven()))
+    return Error{
+        "--deface writes the slices as they are: leave --onto, --overlay, --spacing, --size and the options "
+        "of the plane out."};
   return checkWindows(job);
 }
 
@@ -91,6 +110,7 @@ Result<Exported> exportSeries(const ExportJob& job, const CancelToken& cancel) {
   if (!opened) return opened.error();
   if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
   const int seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
+  if (job.deface) return writeDefaced(job, *std::move(opened), seriesNumber, cancel);
   if (job.isOnto()) return writeOnto(job, *std::move(opened), seriesNumber, cancel);
   noteEvenSlices(job.plane, *opened);
   const auto stack = planeStack(job, *asked, opened->loaded.drawn->geometry());

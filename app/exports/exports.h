@@ -28,7 +28,7 @@ struct ExportJob {
   std::optional<int> turntable{};  ///< pictures of a full turn
   double frameMs = 100;
   int framesPerSecond = 10;
-  bool rle = false, timePoints = false, removeTable = false;
+  bool rle = false, timePoints = false, removeTable = false, deface = false;
   bool isOnto() const { return !onto.empty() || !ontoSeries.empty(); }
 };
 

@@ -18,9 +18,10 @@ static void fields(worker::Wire& w, FilePart& part) { w(part.offset, part.length
 static void fields(worker::Wire& w, Retained& r) {
   w(r.uids, r.dates, r.device, r.institution, r.patient, r.descriptors, r.privates, r.shiftDays);
 }
+static void fields(worker::Wire& w, Deidentification& d) { w(d.retained, d.key, d.deface); }
 static void fields(worker::Wire& w, DeidentifiedFile& f) {
   w(f.parts, f.transferSyntax, f.sopClass, f.studyUid, f.seriesUid, f.instanceUid, f.modality, f.mayShowText,
-    f.mayShowFace, f.hasLostSuv);
+    f.mayShowFace, f.hasLostSuv, f.encoding.explicitVr, f.encoding.bigEndian, f.words);
 }
 
 namespace {
@@ -59,6 +60,15 @@ void notePixels(const DataSet& data, const Retained& retained, DeidentifiedFile&
       file.modality == "PT" && !(retained.patient && (retained.dates || retained.shiftDays != 0));
 }
 
+// Returns the number of 16-bit words of a grey picture of one frame; 0 if its pixels are of another kind.
+std::size_t wordsOfPixels(const DataSet& data) {
+  const auto word = [&](std::uint32_t tag) { return int(data.word(tag, data.root()).value_or(0)); };
+  const int allocated = word(0x00280100), stored = word(0x00280101), highBit = word(0x00280102);
+  const bool isOneFrame = data.number(0x00280008, data.root()).value_or(1) == 1;
+  const bool isGrey = word(0x00280002) == 1 && allocated == 16 && highBit + 1 == stored && isOneFrame;
+  return isGrey ? std::size_t(word(0x00280010)) * std::size_t(word(0x00280011)) : 0;
+}
+
 // Adds the pixels as they are.
 Status addPixels(const ScannedFile& s, const RegularFile& file, Encoding encoding, FileParts& parts) {
   if (!s.dataSet.pixels) return {};
@@ -78,20 +88,20 @@ Status addPixels(const ScannedFile& s, const RegularFile& file, Encoding encodin
   return {};
 }
 
-Status rewrite(const ScannedFile& s, const RegularFile& file, const Retained& retained,
+Status rewrite(const ScannedFile& s, const RegularFile& file, const Rewriting& how,
                const Pseudonyms& pseudonyms, DeidentifiedFile& out) {
   const Encoding encoding = s.syntax.encoding;
   FileParts parts(s.head, s.inflatedFrom == 0);
-  if (Status done = rewriteDataSet({s.head, s.dataSet.elements, encoding}, retained, pseudonyms, parts);
-      !done)
+  if (Status done = rewriteDataSet({s.head, s.dataSet.elements, encoding}, how, pseudonyms, parts); !done)
     return done;
-  if (Status added = addPixels(s, file, encoding, parts); !added) return added;
+  if (!how.isFaceless)
+    if (Status added = addPixels(s, file, encoding, parts); !added) return added;
   out.parts = std::move(parts).take();
   return {};
 }
 
-Result<DeidentifiedFile> deidentifiedHere(const std::string& path, const Retained& retained,
-                                          const std::string& key) {
+Result<DeidentifiedFile> deidentifiedHere(const std::string& path, const Deidentification& how,
+                                          bool isFaceless) {
   worker::needAll();
   const Result<RegularFile> file = RegularFile::open(path);
   if (!file) return file.error();
@@ -99,10 +109,10 @@ Result<DeidentifiedFile> deidentifiedHere(const std::string& path, const Retaine
   if (Status read = s.readMeta(*file); !read) return read.error();
   const Status scanned = s.scan(*file);
   const DataSet data(s.head, s.dataSet.elements);
-  const Pseudonyms pseudonyms(key);
+  const Pseudonyms pseudonyms(how.key, how.deface);
   const auto uid = [&](std::uint32_t tag) {
     const std::string old = data.text(tag, data.root());
-    return retained.uids ? old : pseudonyms.uid(old);
+    return how.retained.uids ? old : pseudonyms.uid(old);
   };
   DeidentifiedFile out;
   out.sopClass = data.text(0x00080016, data.root());
@@ -115,8 +125,11 @@ Result<DeidentifiedFile> deidentifiedHere(const std::string& path, const Retaine
   const auto syntax = s.syntaxOfBytes();
   if (!syntax) return syntax.error();
   out.transferSyntax = s.syntax.deflated ? inflatedSyntax : *syntax;
-  notePixels(data, retained, out);
-  if (Status done = rewrite(s, *file, retained, pseudonyms, out); !done) return done.error();
+  out.encoding = s.syntax.encoding;
+  out.words = wordsOfPixels(data);
+  notePixels(data, how.retained, out);
+  if (Status done = rewrite(s, *file, {how.retained, isFaceless}, pseudonyms, out); !done)
+    return done.error();
   return out;
 }
 
@@ -166,11 +179,44 @@ Status forEachPart(const DeidentifiedFile& file, const std::string& source, cons
 
 }  // namespace
 
-Result<DeidentifiedFile> deidentifiedFile(const std::string& path, const Retained& retained,
-                                          const std::string& key, const CancelToken& cancel) {
+namespace {
+
+Result<DeidentifiedFile> rewritten(const std::string& path, const Deidentification& how, bool isFaceless,
+                                   const CancelToken& cancel) {
   worker::Request request = worker::headersOf({path}, cancel);
   worker::Failure failure{};
-  return worker::isolated<deidentifiedHere>(request, failure, path, retained, key);
+  return worker::isolated<deidentifiedHere>(request, failure, path, how, isFaceless);
+}
+
+// Returns words as the bytes of a file.
+std::string bytesOf(const std::vector<std::uint16_t>& words, bool bigEndian) {
+  std::string bytes;
+  bytes.reserve(2 * words.size());
+  for (const std::uint16_t word : words)
+    for (const int shift : {bigEndian ? 8 : 0, bigEndian ? 0 : 8}) bytes += char(word >> shift & 0xff);
+  return bytes;
+}
+
+}  // namespace
+
+Result<DeidentifiedFile> deidentifiedFile(const std::string& path, const Deidentification& how,
+                                          const CancelToken& cancel) {
+  return rewritten(path, how, false, cancel);
+}
+
+Result<DeidentifiedFile> facelessFile(const std::string& path, const StoredSlice& pixels,
+                                      const Deidentification& how, const CancelToken& cancel) {
+  auto file = rewritten(path, how, true, cancel);
+  if (!file) return file;
+  if (file->words != pixels.words.size()) return Error{"its pixels are not one frame of 16 bits"};
+  const dicom::Encoding encoding = file->encoding;
+  FileParts parts({}, true);
+  parts.addElement(encoding, 0x7fe00010, dicom::vrOf('O', 'W'), bytesOf(pixels.words, encoding.bigEndian));
+  for (FilePart& part : std::move(parts).take()) file->parts.push_back(std::move(part));
+  const bool isPlain = file->transferSyntax == "1.2.840.10008.1.2" || encoding.bigEndian;
+  if (!isPlain) file->transferSyntax = inflatedSyntax;
+  file->mayShowFace = false;
+  return file;
 }
 
 bool isWrittenAt(const DeidentifiedFile& file, const std::string& source, const std::string& path) {

@@ -6,9 +6,11 @@
 #include <set>
 
 #include "io/deidentify/deidentify_file.h"
+#include "io/deidentify/faceless_series.h"
 #include "io/dicom/parallel.h"
 #include "io/files/name_for_uid.h"
 #include "io/files/private_folder.h"
+#include "io/open.h"
 
 namespace volumen {
 
@@ -22,25 +24,25 @@ class Copies {
       : folder_(folder), how_(how), cancel_(cancel) {}
 
   void add(const std::string& path) {
-    const Result<DeidentifiedFile> file = deidentifiedFile(path, how_.retained, how_.key, cancel_);
+    const Result<DeidentifiedFile> file = deidentifiedFile(path, how_, cancel_);
     if (cancel_.cancelled()) return;
     if (!file) return leaveOut(path, file.message());
-    const std::string series = folder_ + "/" + nameForUid(file->studyUid) + "/" + nameForUid(file->seriesUid);
-    const std::string target = series + "/" + nameForUid(file->instanceUid) + ".dcm";
-    if (!claim(target)) return compareLater(path, target, *file);
-    std::error_code ignored;
-    const bool isThere = fs::exists(target, ignored);
-    Status written = makePrivateFolder(series);
-    if (written && !isThere) written = writeDeidentified(*file, path, target);
-    const bool isSame = !isThere || isWrittenAt(*file, path, target);
-    const std::lock_guard lock(mutex_);
-    if (!written) problem_ = written;
-    if (!isSame) return report_.leftOut.push_back({path, target + " is there already, with other contents"});
-    ++(isThere ? report_.alreadyThere : report_.written);
-    if (file->mayShowText) withText_.insert(series);
-    if (file->mayShowFace) withFaces_.insert(series);
-    if (file->hasLostSuv) withoutSuv_.insert(series);
+    write(path, *file, false);
   }
+
+  // Writes copies of files with other pixels. Those whose pixels cannot be replaced are left to add().
+  void addFaceless(const FacelessSeries& series, const Progress& progress) {
+    dicom::forEachParallel(series.size(), "writing", progress, cancel_, [&](std::size_t n) {
+      const auto pixels = series.pixels(n);
+      if (!pixels || hasProblem()) return;
+      const auto file = facelessFile(series.file(n), *pixels, how_, cancel_);
+      if (!file || cancel_.cancelled()) return;
+      write(series.file(n), *file, true);
+      const std::lock_guard lock(mutex_);
+      done_.insert(series.file(n));
+    });
+  }
+  bool isDone(const std::string& path) const { return done_.contains(path); }
 
   // Compares files with those of the same instance that are written now.
   void compareAll() {
@@ -58,6 +60,7 @@ class Copies {
     report_.withText.assign(withText_.begin(), withText_.end());
     report_.withFaces.assign(withFaces_.begin(), withFaces_.end());
     report_.withoutSuv.assign(withoutSuv_.begin(), withoutSuv_.end());
+    report_.faceless.assign(faceless_.begin(), faceless_.end());
     return std::move(report_);
   }
   bool hasProblem() {
@@ -66,6 +69,24 @@ class Copies {
   }
 
  private:
+  void write(const std::string& path, const DeidentifiedFile& file, bool isFaceless) {
+    const std::string series = folder_ + "/" + nameForUid(file.studyUid) + "/" + nameForUid(file.seriesUid);
+    const std::string target = series + "/" + nameForUid(file.instanceUid) + ".dcm";
+    if (!claim(target)) return compareLater(path, target, file);
+    std::error_code ignored;
+    const bool isThere = fs::exists(target, ignored);
+    Status written = makePrivateFolder(series);
+    if (written && !isThere) written = writeDeidentified(file, path, target);
+    const bool isSame = !isThere || isWrittenAt(file, path, target);
+    const std::lock_guard lock(mutex_);
+    if (!written) problem_ = written;
+    if (!isSame) return report_.leftOut.push_back({path, target + " is there already, with other contents"});
+    ++(isThere ? report_.alreadyThere : report_.written);
+    if (file.mayShowText) withText_.insert(series);
+    if (file.mayShowFace) withFaces_.insert(series);
+    if (file.hasLostSuv) withoutSuv_.insert(series);
+    if (isFaceless) faceless_.insert(series);
+  }
   bool claim(const std::string& target) {
     const std::lock_guard lock(mutex_);
     return targets_.insert(target).second;
@@ -94,8 +115,22 @@ class Copies {
   Status problem_;  // of the folder
   DeidentifyReport report_;
   std::vector<Later> later_;
-  std::set<std::string> targets_, withText_, withFaces_, withoutSuv_;
+  std::set<std::string> targets_, withText_, withFaces_, withoutSuv_, faceless_;
+  std::set<std::string> done_;  // files whose copies have other pixels
 };
+
+// A series that shows no head, or cannot be loaded, is left as it is.
+Status addFaceless(Copies& copies, const std::vector<std::string>& files, const Progress& progress,
+                   const CancelToken& cancel) {
+  const auto study = openFiles(files, progress, cancel);
+  if (!study) return study.error();
+  for (const Series& series : study->volumes) {
+    if (!FacelessSeries::mayBeOf(series)) continue;
+    const auto faceless = FacelessSeries::of(series, progress, cancel);
+    if (faceless) copies.addFaceless(*faceless, progress);
+  }
+  return {};
+}
 
 }  // namespace
 
@@ -104,8 +139,10 @@ Result<DeidentifyReport> deidentifyFiles(const std::vector<std::string>& files, 
                                          const CancelToken& cancel) {
   if (Status made = makePrivateFolder(folder); !made) return made.error();
   Copies copies(folder, how, cancel);
+  if (how.deface)
+    if (Status s = addFaceless(copies, files, progress, cancel); !s) return s.error();
   dicom::forEachParallel(files.size(), "writing", progress, cancel, [&](std::size_t n) {
-    if (!copies.hasProblem()) copies.add(files[n]);
+    if (!copies.hasProblem() && !copies.isDone(files[n])) copies.add(files[n]);
   });
   copies.compareAll();
   return std::move(copies).report();

@@ -3,19 +3,13 @@
 #include <string>
 #include <vector>
 
-#include "io/deidentify/profile.h"
+#include "io/deidentify/deidentify_file.h"
 #include "io/study/progress.h"
 #include "io/study/unread.h"
 #include "viewer/volume/cancel.h"
 #include "viewer/volume/result.h"
 
 namespace volumen {
-
-/// How files are de-identified.
-struct Deidentification {
-  Retained retained;
-  std::string key;  ///< of Pseudonyms
-};
 
 struct DeidentifyReport {
   int written = 0;               ///< files
@@ -27,6 +21,7 @@ struct DeidentifyReport {
   std::vector<std::string> withText;    ///< texts may be burned into the pixels
   std::vector<std::string> withFaces;   ///< pictures of a head
   std::vector<std::string> withoutSuv;  ///< PET that has lost its SUV
+  std::vector<std::string> faceless;    ///< series of heads whose face was taken away
 };
 
 /// Writes de-identified copies of DICOM files to `folder`, as STUDY/SERIES/INSTANCE.dcm with names of our

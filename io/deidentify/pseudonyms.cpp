@@ -33,7 +33,7 @@ std::string randomKey() {
 
 std::string Pseudonyms::uid(const std::string& old) const {
   if (old.empty() || old.starts_with("1.2.840.10008.")) return old;
-  const QByteArray hash = keyedHash(key_, "uid:", old);
+  const QByteArray hash = keyedHash(key_, faceless_ ? "faceless uid:" : "uid:", old);
   std::array<std::uint8_t, 16> uuid;
   std::copy_n(hash.cbegin(), uuid.size(), uuid.begin());
   return uidOfUuid(uuid);

@@ -10,7 +10,8 @@ namespace volumen {
 /// across files and runs, and without the key nobody can tell which was which.
 class Pseudonyms {
  public:
-  explicit Pseudonyms(std::string key) : key_(std::move(key)) {}
+  /// With `faceless`, UIDs are others: those of copies whose faces are taken away.
+  explicit Pseudonyms(std::string key, bool faceless = false) : key_(std::move(key)), faceless_(faceless) {}
 
   /// Returns the new UID for an instance, series, study, frame of reference and so on. Those of the standard
   /// (1.2.840.10008) stay.
@@ -21,6 +22,7 @@ class Pseudonyms {
 
  private:
   std::string key_;
+  bool faceless_;
 };
 
 /// Returns the user's secret key. Its file is among the settings and readable by the user alone; the first

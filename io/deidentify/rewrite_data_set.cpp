@@ -24,8 +24,9 @@ using dicom::Element;
 using dicom::Encoding;
 using dicom::vrOf;
 
-constexpr std::uint32_t patientName = 0x00100010, patientId = 0x00100020, studyId = 0x00200010,
-                        studyUid = 0x0020000d, contentSequence = 0x0040a730, personCodes = 0x00401101;
+constexpr std::uint32_t imageType = 0x00080008, patientName = 0x00100010, patientId = 0x00100020,
+                        studyId = 0x00200010, studyUid = 0x0020000d, contentSequence = 0x0040a730,
+                        personCodes = 0x00401101;
 constexpr std::uint16_t sequenceVr = vrOf('S', 'Q'), unknownVr = vrOf('U', 'N');
 constexpr const char* dummyText = "DEIDENTIFIED";
 
@@ -64,6 +65,11 @@ std::string dummyOf(std::uint16_t vr) {
   }
 }
 
+// Returns a value of ImageType for other pixels.
+std::string derivedType(const std::string& type) {
+  return type.empty() ? "DERIVED\\PRIMARY" : "DERIVED" + type.substr(std::min(type.find('\\'), type.size()));
+}
+
 bool isTextVr(std::uint16_t vr) {
   constexpr std::uint16_t texts[] = {vrOf('L', 'O'), vrOf('S', 'H'), vrOf('S', 'T'), vrOf('L', 'T'),
                                      vrOf('U', 'T'), vrOf('U', 'C'), vrOf('P', 'N'), vrOf('A', 'E'),
@@ -75,16 +81,16 @@ bool isDateVr(std::uint16_t vr) { return vr == vrOf('D', 'A') || vr == vrOf('D',
 
 class Rewrite {
  public:
-  Rewrite(const ScannedDataSet& data, const Retained& retained, const Pseudonyms& pseudonyms,
-          FileParts& parts)
+  Rewrite(const ScannedDataSet& data, const Rewriting& how, const Pseudonyms& pseudonyms, FileParts& parts)
       : bytes_(data.bytes),
         elements_(data.elements),
         data_(data.bytes, data.elements),
-        retained_(retained),
-        profile_(retained),
+        retained_(how.retained),
+        isFaceless_(how.isFaceless),
+        profile_(how.retained),
         pseudonyms_(pseudonyms),
         identifying_(data_, profile_),
-        statement_(statementElements(retained)),
+        statement_(statementElements(how)),
         parts_(parts),
         isClassic_(isClassicImage(data_.text(0x00080016, data_.root()))) {}
 
@@ -176,6 +182,7 @@ class Rewrite {
   void addValue(const Element& e, std::uint16_t vr, DataSet::Scope scope, Encoding encoding,
                 ProfileAction action) {
     const bool isMoved = retained_.shiftDays != 0 && isDateVr(vr) && action == ProfileAction::keep;
+    if (isFaceless_ && e.tag == imageType) return put(e, vr, encoding, derivedType(data_.text(e.tag, scope)));
     if (e.length == 0) return copy(e, encoding);
     switch (isMoved ? ProfileAction::shift : action) {
       case ProfileAction::keep:
@@ -266,6 +273,7 @@ class Rewrite {
   const std::vector<Element>& elements_;
   const DataSet data_;
   const Retained& retained_;
+  const bool isFaceless_;
   const ConfidentialityProfile profile_;
   const Pseudonyms& pseudonyms_;
   const IdentifyingTexts identifying_;
@@ -278,9 +286,9 @@ class Rewrite {
 
 }  // namespace
 
-Status rewriteDataSet(const ScannedDataSet& data, const Retained& retained, const Pseudonyms& pseudonyms,
+Status rewriteDataSet(const ScannedDataSet& data, const Rewriting& how, const Pseudonyms& pseudonyms,
                       FileParts& parts) {
-  return Rewrite(data, retained, pseudonyms, parts)(data.encoding);
+  return Rewrite(data, how, pseudonyms, parts)(data.encoding);
 }
 
 }  // namespace volumen

@@ -7,10 +7,12 @@ namespace volumen {
 
 namespace {
 
-std::vector<MethodCode> methodCodes(const Retained& retained) {
-  std::vector<MethodCode> codes{{"113100", "Basic Application Confidentiality Profile"},
-                                {"113104", "Clean Structured Content Option"}};
+std::vector<MethodCode> methodCodes(const Rewriting& how) {
+  const Retained& retained = how.retained;
+  std::vector<MethodCode> codes{{"113100", "Basic Application Confidentiality Profile"}};
   const std::pair<bool, MethodCode> options[] = {
+      {how.isFaceless, {"113102", "Clean Recognizable Visual Features Option"}},
+      {true, {"113104", "Clean Structured Content Option"}},
       {retained.descriptors, {"113105", "Clean Descriptors Option"}},
       {retained.dates, {"113106", "Retain Longitudinal Temporal Information Full Dates Option"}},
       {retained.shiftDays != 0, {"113107", "Retain Longitudinal Temporal Information Modified Dates Option"}},
@@ -26,13 +28,16 @@ std::vector<MethodCode> methodCodes(const Retained& retained) {
 
 }  // namespace
 
-std::vector<StatementElement> statementElements(const Retained& retained) {
+std::vector<StatementElement> statementElements(const Rewriting& how) {
+  const Retained& retained = how.retained;
   const char* const times = retained.dates ? "UNMODIFIED" : retained.shiftDays ? "MODIFIED" : "REMOVED";
-  return {
+  std::vector<StatementElement> all = {
       {0x00120062, dicom::vrOf('C', 'S'), "YES", {}},
       {0x00120063, dicom::vrOf('L', 'O'), std::string("volumen " VOLUMEN_VERSION "\\") + profileEdition, {}},
-      {0x00120064, dicom::vrOf('S', 'Q'), {}, methodCodes(retained)},
+      {0x00120064, dicom::vrOf('S', 'Q'), {}, methodCodes(how)},
       {0x00280303, dicom::vrOf('C', 'S'), times, {}}};
+  if (how.isFaceless) all.insert(all.end() - 1, {0x00280302, dicom::vrOf('C', 'S'), "NO", {}});
+  return all;
 }
 
 void addStatement(const StatementElement& element, dicom::Encoding encoding, FileParts& parts) {

@@ -5,6 +5,7 @@
 
 #include "io/deidentify/file_parts.h"
 #include "io/deidentify/profile.h"
+#include "io/deidentify/rewrite_data_set.h"
 
 namespace volumen {
 
@@ -26,7 +27,7 @@ struct StatementElement {
 
 /// Returns the elements that say how a data set was de-identified, in order of their tags (PS3.3 C.7.1.1,
 /// C.12.1, codes of CID 7050).
-std::vector<StatementElement> statementElements(const Retained& retained);
+std::vector<StatementElement> statementElements(const Rewriting& how);
 
 void addStatement(const StatementElement& element, dicom::Encoding encoding, FileParts& parts);
 

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 
+#include "io/export/dicom_elements.h"
 #include "io/export/dicom_folder.h"
 #include "io/export/dicom_slice.h"
 #include "io/study/series.h"
@@ -122,6 +123,14 @@ Result<DicomSeriesTags> readDicomTags(const Series& series, const Loaded& loaded
   tags.source = std::move(*source);
   tags.origins = loaded.origins;
   return tags;
+}
+
+DicomSeriesTags defacedTags(DicomSeriesTags ofSource, int seriesNumber) {
+  const std::string& of = ofSource.description;
+  ofSource.description = inOneLine("Without face" + (of.empty() ? of : ": " + of));
+  ofSource.seriesNumber = std::to_string(seriesNumber);
+  ofSource.isDefaced = true;
+  return ofSource;
 }
 
 Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const DicomSeriesTags& tags,

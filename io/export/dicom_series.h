@@ -38,6 +38,9 @@ struct DicomSeriesTags : SeriesIdentity {
   std::vector<SliceOrigin> origins;  ///< slices of the source that each slice of the volume comes from
   /// In place of `origins`, if slices lie on other planes. The series is then a new one each time.
   std::optional<Resampling> resampling;
+  /// The face was taken away (defaced()), in slices at the places of `origins`: said in the attributes meant
+  /// for it. The series is then a new one each time.
+  bool isDefaced = false;
 };
 
 /// Returns the tags of an opened series; the patient of a phantom is "Volumen^Sample".
@@ -48,17 +51,21 @@ DicomSeriesTags dicomTags(const Series& series);
 Result<DicomSeriesTags> readDicomTags(const Series& series, const Loaded& loaded,
                                       const Progress& progress = {}, const CancelToken& cancel = {});
 
+/// Returns the tags of a loaded series whose face was taken away, as a new series of its study.
+DicomSeriesTags defacedTags(DicomSeriesTags ofSource, int seriesNumber);
+
 /// Writes a volume as a DICOM series into `folder`, one uncompressed file (Explicit VR Little Endian) a
 /// slice.
 /// `folder` must be empty or not exist; the series appears whole or not at all. CT, MR and PET volumes become
 /// CT, MR and PET Image Storage; others, and PET without units, become Secondary Capture.
 /// Patient, study, equipment, frame of reference, acquisition and windows are kept from the source; each
-/// slice names its source images. UIDs derive from the contents, except for resampled slices: the same volume
-/// and tags give the same files. Values are exact; rescale and geometry have the 16 characters of a decimal
-/// string. PET slices that cannot be exact are rounded to 16 bits, and so are resampled ones, by one rescale
-/// for all slices unless they are PET. Slices may be oblique and sheared (gantry tilt). Returns notes for the
-/// user: how far values are rounded, what became a Secondary Capture. The Error: rows and columns are not
-/// perpendicular, the volume is not calibrated, it holds doses, or its real values are not exact in 16 bits.
+/// slice names its source images. UIDs derive from the contents, except for resampled slices and those
+/// without face: the same volume and tags give the same files. Values are exact; rescale and geometry have
+/// the 16 characters of a decimal string. PET slices that cannot be exact are rounded to 16 bits, and so are
+/// resampled ones, by one rescale for all slices unless they are PET. Slices may be oblique and sheared
+/// (gantry tilt). Returns notes for the user: how far values are rounded, what became a Secondary Capture.
+/// The Error: rows and columns are not perpendicular, the volume is not calibrated, it holds doses, or its
+/// real values are not exact in 16 bits.
 Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const DicomSeriesTags& tags,
                                                   const std::string& folder, const Progress& progress = {},
                                                   const CancelToken& cancel = {});

@@ -158,7 +158,7 @@ DicomSliceWriter::DicomSliceWriter(const Volume& volume, const DicomSeriesTags& 
     : volume_(volume),
       tags_(tags),
       uids_(volume, tags.patientId + tags.description + tags.seriesUid + tags.bValue +
-                        (tags.resampling ? randomUid() : "")) {
+                        (tags.resampling || tags.isDefaced ? randomUid() : "")) {
   if (!tags.source.slices.empty()) first_ = tags.source.file(0).elements;
   isPet_ = volume.attributes().modality == "PT" && !valueOf(first_, units).empty();
   identity_ = identityElements();
@@ -293,6 +293,7 @@ DicomElements DicomSliceWriter::derivationOf(int k, const StoredSlice& pixels) c
   std::string words = sources.size() > 1 ? "Interpolated between the source images"
                                          : "Values and place as in the source image";
   if (tags_.resampling) words = tags_.resampling->words;
+  if (tags_.isDefaced) words += ", except that the face and the air in front of it are replaced by air";
   char off[96] = "";
   if (pixels.largestError > 0)
     std::snprintf(off, sizeof off, ", rounded to 16 bits (at most %.3g off)", pixels.largestError);
@@ -319,10 +320,10 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
   append(all, placeElements(volume_.geometry(), k));
   append(all, derivationOf(k, pixels));
   append(all, padding(volume_, pixels));
-  if (tags_.resampling)
-    append(all, {{0x0008103e, tags_.description},
-                 {0x00180050, decimal(tags_.resampling->thicknessMm)},
-                 {0x00200011, tags_.seriesNumber}});
+  if (tags_.resampling || tags_.isDefaced)
+    append(all, {{0x0008103e, tags_.description}, {0x00200011, tags_.seriesNumber}});
+  if (tags_.resampling) all.push_back({0x00180050, decimal(tags_.resampling->thicknessMm)});
+  if (tags_.isDefaced) all.push_back({0x00280302, "NO"});
   if (isPet_) append(all, petCounts(k, volume_.size().z, valueOf(source, 0x00541000)));
   // MR Image Storage has no rescale; it is written nevertheless if it changes values.
   if (modality == "MR" && pixels.slope == 1 && pixels.intercept == 0) return all;

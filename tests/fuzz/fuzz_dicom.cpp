@@ -44,10 +44,10 @@ void readObject(const DerivedObject& object) {
 // A copy can be read, and de-identified again.
 void readWithoutIdentity(const std::string& path) {
   const std::string copy = path + ".copy", key = "0123456789abcdef";
-  const auto file = deidentifiedFile(path, {.shiftDays = 3}, key, {});
+  const auto file = deidentifiedFile(path, {{.shiftDays = 3}, key}, {});
   if (!file) return;
   if (!writeDeidentified(*file, path, copy) || !isWrittenAt(*file, path, copy)) std::abort();
-  if (!deidentifiedFile(copy, {}, key, {})) std::abort();
+  if (!deidentifiedFile(copy, {{}, key}, {})) std::abort();
   std::remove(copy.c_str());
 }
 

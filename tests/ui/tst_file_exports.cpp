@@ -71,6 +71,7 @@ class TestFileExports : public QObject {
   void slicesAreLikeThoseInTheView();
   void namesAreHiddenInPictures();
   void identityIsLeftOut();
+  void facesAreLeftOut();
   void draggedSeriesAreFiles();
   void whatFailsLeavesNothing();
   void cancelledTurnLeavesNothing();
@@ -257,6 +258,36 @@ void TestFileExports::identityIsLeftOut() {
       QVERIFY(textIn(file, DCM_BurnedInAnnotation) != "YES");
     }
   }
+  w.window.end();
+}
+
+// Faces go only without identity, and only from what may show a head.
+void TestFileExports::facesAreLeftOut() {
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  w.session().setFocus(axialViewId);
+  w.session().prefer([](Preferences& p) { p.exportsWithoutIdentity = false; });
+  const QTemporaryDir folder;
+  QVERIFY(w.ask("The series in the view"));
+  auto* without = w.child<QCheckBox>("exportDeidentified");
+  auto* faceless = w.child<QCheckBox>("exportFaceless");
+  auto* choice = w.child<QComboBox>("exportChoice");
+  QVERIFY(!faceless->isEnabled());
+  QTest::mouseClick(without, Qt::LeftButton, {}, {8, without->height() / 2});
+  QVERIFY(faceless->isEnabled() && !faceless->isChecked());
+  const int series = choice->currentIndex();
+  choice->setCurrentIndex(choice->findText(QStringLiteral("The picture in the view")));
+  QVERIFY(!faceless->isEnabled());
+  choice->setCurrentIndex(series);
+  QTest::mouseClick(faceless, Qt::LeftButton, {}, {8, faceless->height() / 2});
+  QVERIFY(faceless->isChecked());
+  w.answerWith(folder.path());
+  QTRY_VERIFY_WITH_TIMEOUT(!filesAt(folder.path()).isEmpty() && w.window.jobs().rows().empty(), longest);
+  for (const QString& file : filesAt(folder.path())) {
+    QCOMPARE(textIn(file, DCM_RecognizableVisualFeatures), std::string("NO"));
+    QVERIFY(textIn(file, DCM_ImageType).starts_with("DERIVED"));
+  }
+  w.session().prefer([](Preferences& p) { p.exportsWithoutIdentity = false; });
   w.window.end();
 }
 

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <set>
 
+#include "io/deidentify/faceless_series.h"
 #include "io/export/export_segments.h"
 #include "io/export/key_objects_dicom.h"
 #include "io/export/presentation_state.h"
@@ -225,6 +226,8 @@ std::vector<FileOffer> offersOf(const Series& shown, const std::vector<SegmentMa
       offerOfFiles(tr("The series in the view"), name("series"), openFilesOf(open, shown, false)),
       offerOfFiles(tr("All open series of its study"), name("study"), openFilesOf(open, shown, true))};
   const Study study = openStudyOf(open, shown);
+  offers[0].hasFace = FacelessSeries::mayBeOf(shown);
+  offers[1].hasFace = std::ranges::any_of(study.volumes, FacelessSeries::mayBeOf);
   if (!maps.empty()) {
     offers.push_back(offerOfSegmentation(maps, shown));
     offers.push_back(offerOfStructureSet(maps, shown, study));
@@ -278,7 +281,9 @@ FileOffer offerOfSlices(const LoadedSeriesPtr& shown, const SlicePlane& plane, i
       leaving.files.push_back((into + QLatin1Char('/') + name).toStdString());
     return leaving;
   };
-  return {tr("All slices like that in the view as a new series"), QStringLiteral("slices"), make};
+  FileOffer slices{tr("All slices like that in the view as a new series"), QStringLiteral("slices"), make};
+  slices.hasFace = FacelessSeries::mayBeOf(shown->series);
+  return slices;
 }
 
 }  // namespace volumen

@@ -35,6 +35,7 @@ struct FileOffer {
   Series series{};
   CaptureTags tags{};
   int frames = 1;
+  bool hasFace = false;  ///< volumes of it may show a head (FacelessSeries)
 };
 
 /// Returns what can leave of a series shown in the window and of its study: their files, the segments

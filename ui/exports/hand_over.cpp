@@ -87,15 +87,17 @@ QString lookAt(const QString& what, const std::vector<std::string>& series) {
 }
 
 // Makes copies without identity in `folder`. `details` receives what was left out and what to look at.
-Result<LeavingFiles> withoutIdentity(const LeavingFiles& leaving, const QString& folder, QStringList& details,
-                                     const Job& job) {
+Result<LeavingFiles> withoutIdentity(const LeavingFiles& leaving, bool faceless, const QString& folder,
+                                     QStringList& details, const Job& job) {
   const auto key = userPseudonymKey();
   if (!key) return key.error();
-  const auto report =
-      deidentifyFiles(leaving.files, folder.toStdString(), {{}, *key}, job.progress(), job.cancel());
+  const auto report = deidentifyFiles(leaving.files, folder.toStdString(), {{}, *key, faceless},
+                                      job.progress(), job.cancel());
   if (!report) return report.error();
   details << refusedTexts(report->leftOut)
           << lookAt(tr("Names may be burned into the pixels of %1 series: look at them."), report->withText)
+          << lookAt(tr("The face was taken away in %1 series of a head: look at a rendering."),
+                    report->faceless)
           << lookAt(tr("A face may be recognised in %1 series of a head."), report->withFaces)
           << lookAt(tr("SUV cannot be computed any more in %1 series."), report->withoutSuv);
   details.removeAll(QString());
@@ -117,7 +119,7 @@ Result<HandedOver> handOver(const LeavingFiles& leaving, const QString& name, co
   LeavingFiles files = leaving;
   QStringList details;
   if (target.deidentified) {
-    auto made = withoutIdentity(leaving, folder.path(), details, job);
+    auto made = withoutIdentity(leaving, target.faceless, folder.path(), details, job);
     if (!made) return made.error();
     files = *std::move(made);
   }

@@ -12,6 +12,7 @@ struct ExportTarget {
   std::optional<Archive> archive{};  ///< empty: the folder
   QString folder{};
   bool deidentified = false;  ///< without the patient's identity (PS3.15 E)
+  bool faceless = false;      ///< then without the faces of heads of CT and MR, too
 };
 
 /// How an export ended.

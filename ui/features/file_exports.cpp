@@ -155,7 +155,9 @@ void FileExports::offerListed(const IndexedChoice& choice, const QString& name) 
       if (!paths) return paths.error();
       return LeavingFiles{*paths};
     };
-    return FileOffer{text, QString::fromLatin1(file), make};
+    FileOffer listed{text, QString::fromLatin1(file), make};
+    listed.hasFace = true;  // what it shows is known when its files are read
+    return listed;
   };
   std::vector<FileOffer> offers{offer(tr("The whole study"), "study", source.filesOf({choice.study, 0}))};
   if (choice.series != 0)
@@ -167,13 +169,14 @@ void FileExports::ask(const QString& name, const std::vector<FileOffer>& offers,
   Result<Archives> archives = readArchives(userArchivesFile());
   if (!archives) archives = Archives();
   std::vector<ExportChoice> choices;
-  for (const FileOffer& one : offers) choices.push_back({one.text, one.pictures && one.tags.hasNames});
+  for (const FileOffer& one : offers)
+    choices.push_back({one.text, one.pictures && one.tags.hasNames, one.hasFace});
   auto* dialog =
       new ExportDialog(name, choices, *archives, last_.isEmpty() || archive.isEmpty() ? archive : last_,
                        session_.preferences().exportsWithoutIdentity, bench_.dialogParent());
   connect(dialog, &QDialog::accepted, this, [this, dialog, name, offers, archives] {
     const FileOffer& offer = offers[std::size_t(dialog->choice())];
-    ExportTarget target{{}, {}, dialog->deidentified()};
+    ExportTarget target{{}, {}, dialog->deidentified(), dialog->faceless()};
     session_.prefer([on = target.deidentified](Preferences& p) { p.exportsWithoutIdentity = on; });
     const bool isHidden = dialog->namesHidden();
     if (dialog->archive() >= 0) {

@@ -27,7 +27,10 @@ ExportDialog::ExportDialog(const QString& name, const std::vector<ExportChoice>&
       deidentified_(
           flagField({QStringLiteral("exportDeidentified"), tr("Without the patient's identity"),
                      tr("Removes names, numbers, dates and private data (PS3.15 E), and makes new UIDs. "
-                        "Pixels stay.")})) {
+                        "Pixels stay.")})),
+      faceless_(flagField({QStringLiteral("exportFaceless"), tr("Without faces"),
+                           tr("Makes air of the face of heads of CT and MR. What is left of the head may "
+                              "still be recognised.")})) {
   setObjectName(QStringLiteral("exportDialog"));
   setAttribute(Qt::WA_DeleteOnClose);
   setWindowTitle(tr("Export"));
@@ -43,18 +46,20 @@ ExportDialog::ExportDialog(const QString& name, const std::vector<ExportChoice>&
   form->addRow(target_->accessibleName(), target_);
   form->addRow(hideNames_);
   form->addRow(deidentified_);
+  form->addRow(faceless_);
   auto* buttons = new QDialogButtonBox;
   addAccept(*this, *buttons, QStringLiteral("exportButton"), tr("Export"));
   form->addRow(buttons);
-  connect(choice_, &QComboBox::currentIndexChanged, this, &ExportDialog::showNames);
-  connect(deidentified_, &QCheckBox::toggled, this, &ExportDialog::showNames);
-  showNames();
+  connect(choice_, &QComboBox::currentIndexChanged, this, &ExportDialog::enableFields);
+  connect(deidentified_, &QCheckBox::toggled, this, &ExportDialog::enableFields);
+  enableFields();
 }
 
-// Names are hidden in any case without identity, or if the window hides them.
-void ExportDialog::showNames() {
-  const bool isPicture = choices_[std::size_t(std::max(0, choice()))].isPicture;
-  hideNames_->setEnabled(isPicture && !deidentified() && !volumen::namesHidden());
+// Names are hidden in any case without identity, or if the window hides them. Faces go only without identity.
+void ExportDialog::enableFields() {
+  const ExportChoice& chosen = choices_[std::size_t(std::max(0, choice()))];
+  hideNames_->setEnabled(chosen.isPicture && !deidentified() && !volumen::namesHidden());
+  faceless_->setEnabled(chosen.hasFace && deidentified());
 }
 
 }  // namespace volumen

@@ -13,6 +13,7 @@ namespace volumen {
 struct ExportChoice {
   QString text;
   bool isPicture = false;  ///< names may be drawn into it
+  bool hasFace = false;    ///< may show a head of CT or MR, whose face can be taken away
 };
 
 /// Asks what of several things to export, where to, and whether with the patient's identity.
@@ -29,14 +30,16 @@ class ExportDialog : public QDialog {
   /// Returns the index of the archive; -1 for a folder.
   int archive() const { return target_->currentIndex() - 1; }
   bool deidentified() const { return deidentified_->isChecked(); }
+  /// Returns whether faces are to be taken away, too.
+  bool faceless() const { return faceless_->isEnabled() && faceless_->isChecked(); }
   bool namesHidden() const { return hideNames_->isChecked() || deidentified(); }
 
  private:
-  void showNames();
+  void enableFields();
 
   const std::vector<ExportChoice> choices_;
   QComboBox *choice_, *target_;
-  QCheckBox *hideNames_, *deidentified_;
+  QCheckBox *hideNames_, *deidentified_, *faceless_;
 };
 
 }  // namespace volumen
