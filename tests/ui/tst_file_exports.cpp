@@ -4,6 +4,7 @@
 #include <dcmtk/dcmdata/dctk.h>
 
 #include <QMimeData>
+#include <QScopeGuard>
 #include <QTreeWidgetItemIterator>
 #include <memory>
 
@@ -12,6 +13,7 @@
 #include "io/load.h"
 #include "io/open.h"
 #include "io/report.h"
+#include "tests/fixtures/mount_disk.h"
 #include "tests/fixtures/program.h"
 #include "tests/ui/leaving.h"
 #include "tests/ui/marked_window.h"
@@ -36,6 +38,15 @@ struct ExportWindow : MarkedWindow {
     const int n = box ? box->findText(QLatin1String(choice)) : -1;
     while (n >= 0 && box->currentIndex() < n) QTest::keyClick(box, Qt::Key_Down);
     return n >= 0 && box->currentIndex() == n;
+  }
+  // Returns what is offered for the view in focus.
+  QStringList choices() {
+    child<QAction>("exportFiles")->trigger();
+    const auto* box = child<QComboBox>("exportChoice");
+    QStringList all;
+    for (int n = 0; box && n < box->count(); ++n) all << box->itemText(n);
+    QTest::keyClick(child<QDialog>("exportDialog"), Qt::Key_Escape);
+    return all;
   }
   void answerWith(const QString& folder) {
     click("exportButton");
@@ -74,6 +85,8 @@ class TestFileExports : public QObject {
   void facesAreLeftOut();
   void draggedSeriesAreFiles();
   void whatFailsLeavesNothing();
+  void aDiskThatTakesNothingIsSaid_data();
+  void aDiskThatTakesNothingIsSaid();
   void cancelledTurnLeavesNothing();
   void nothingToExportIsSaid();
 
@@ -344,6 +357,43 @@ void TestFileExports::whatFailsLeavesNothing() {
   QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
   QCOMPARE(filesAt(folder.path()), QStringList{there});
   QCOMPARE(contentsOf(there), QByteArray());
+  w.window.end();
+}
+
+void TestFileExports::aDiskThatTakesNothingIsSaid_data() {
+  QTest::addColumn<unsigned long>("flags");
+  QTest::addColumn<QByteArray>("options");
+  QTest::newRow("read-only") << (unsigned long)(MS_RDONLY) << QByteArray();
+  QTest::newRow("no file can be made") << 0ul << QByteArray("nr_inodes=1");
+  QTest::newRow("full after 4 kB") << 0ul << QByteArray("size=4k");
+}
+
+// Every choice of a view of slices and of the 3D view.
+void TestFileExports::aDiskThatTakesNothingIsSaid() {
+  QFETCH(unsigned long, flags);
+  QFETCH(QByteArray, options);
+  ExportWindow w(ct_);
+  QVERIFY(w.prepare());
+  w.child<QAction>("layoutPlanes")->trigger();
+  const QTemporaryDir disk;
+  const QByteArray folder = disk.path().toUtf8();
+  MOUNT_DISK(folder.constData(), flags, options.constData());
+  const auto unmount = qScopeGuard([&] { umount(folder.constData()); });
+  for (const ViewId view : {axialViewId, sceneViewId}) {
+    w.session().setFocus(view);
+    const QStringList choices = w.choices();
+    QVERIFY(choices.size() > 6);
+    for (const QString& choice : choices) {
+      auto* banner = w.child<QWidget>("banner");
+      banner->hide();
+      QVERIFY(w.ask(qPrintable(choice)));
+      w.answerWith(disk.path());
+      QTRY_VERIFY2_WITH_TIMEOUT(banner->isVisible(), qPrintable(choice), longest);
+      QVERIFY(w.idle());
+      QVERIFY2(QDir(disk.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot),
+               qPrintable(choice));
+    }
+  }
   w.window.end();
 }
 
