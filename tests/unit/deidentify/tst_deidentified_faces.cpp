@@ -34,7 +34,8 @@ VolumePtr acquiredAt(const QString& path) {
 std::multiset<QByteArray> pixelsIn(const QString& folder) {
   std::multiset<QByteArray> all;
   for (const QString& path : copiesIn(folder)) {
-    const QByteArray bytes = readAll(path.toStdString());
+    const auto file = readAll(path.toStdString());
+    const QByteArray bytes(reinterpret_cast<const char*>(file.data()), qsizetype(file.size()));
     all.insert(bytes.mid(bytes.lastIndexOf(QByteArray("\xe0\x7f\x10\x00", 4))));
   }
   return all;
