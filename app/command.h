@@ -19,6 +19,7 @@ using MakeCommand = std::function<int()> (*)(CLI::App& app, const CancelToken& c
 // The makers of the commands, one file each in app/commands.
 std::function<int()> makeAccuracy(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeArchive(CLI::App& app, const CancelToken& cancel);
+std::function<int()> makeBatch(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeBench(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeCompare(CLI::App& app, const CancelToken& cancel);
 std::function<int()> makeConvert(CLI::App& app, const CancelToken& cancel);

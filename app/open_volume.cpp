@@ -30,6 +30,25 @@ namespace {
 
 bool strict = false;
 
+// What was opened last, where keepOpened() was called.
+struct LastOpened {
+  bool isKept = false;
+  std::string path;
+  std::optional<Study> study;
+  Series series;
+  std::optional<Loaded> loaded;
+};
+LastOpened last;
+
+// Returns loadSeries(), or what it returned before.
+Result<Loaded> loadOnce(const Series& series, const Progress& progress, const CancelToken& cancel) {
+  if (last.loaded && last.series == series) return *last.loaded;
+  last.loaded.reset();  // two volumes may not fit into memory
+  Result<Loaded> loaded = loadSeries(series, progress, cancel);
+  if (loaded && last.isKept) last.series = series, last.loaded = *loaded;
+  return loaded;
+}
+
 // Returns one line a series, with the numbers and names of `info`.
 std::string listOf(const Study& study) {
   std::string list;
@@ -47,7 +66,7 @@ Result<Opened> load(const Series& series, const MemoryUse& use, const Progress& 
   const auto voxels = double(grid.voxelCount());
   if (Status s = checkMemoryFor(series, use.doing, std::uint64_t(use.bytesAVoxel * voxels)); !s)
     return s.error();
-  Result<Loaded> loaded = loadSeries(series, progress, cancel);
+  Result<Loaded> loaded = loadOnce(series, progress, cancel);
   if (!loaded) return loaded.error();
   if (Status whole = checkLosses(series.path, loaded->unread); !whole) return whole.error();
   Opened opened{series, std::move(*loaded), {}};
@@ -126,6 +145,8 @@ void addUnread(std::vector<Unread>& all, const std::vector<Unread>& more) {
 
 void refuseLosses() { strict = true; }
 
+void keepOpened() { last.isKept = true; }
+
 Status checkStrict(const std::string& what, const std::vector<Unread>& unread) {
   if (!strict || unread.empty()) return {};
   std::string list;
@@ -165,8 +186,10 @@ nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread) {
 }
 
 Result<Study> openStudyAt(const std::string& path, const CancelToken& cancel) {
+  if (last.study && last.path == path) return *last.study;
   Result<Study> study = openPath(path, terminalProgress(), cancel);
   endTerminalProgress();
+  if (study && last.isKept) last.path = path, last.study = *study;
   return study;
 }
 

@@ -44,6 +44,9 @@ nlohmann::ordered_json unreadJson(const std::vector<Unread>& unread);
 /// Returns the reason why nothing in a study can be displayed: a sentence for the user.
 Error nothingToShow(const std::string& path, const Study& study);
 
+/// Keeps the study and the volume that were opened last, for commands of this process that open them again.
+void keepOpened();
+
 /// The activity of a command on a volume, and the memory that it takes besides the volume.
 struct MemoryUse {
   const char* doing = "reading";  ///< verb in the message "there is too little memory for ... it"

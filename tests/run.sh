@@ -11,7 +11,7 @@ thorough=
 [ "${1:-}" != --thorough ] || { thorough=1; shift; }
 preset=${1:-release}
 
-install_packages "${build_packages[@]}" "${run_packages[@]}" xvfb xauth libxtst6 dcmtk orthanc orthanc-dicomweb openssl dicom3tools poppler-utils python3-pydicom python3-numpy fonts-noto-core fonts-cantarell
+install_packages "${build_packages[@]}" "${run_packages[@]}" xvfb xauth libxtst6 dcmtk orthanc orthanc-dicomweb openssl dicom3tools poppler-utils python3-pydicom python3-numpy fonts-noto-core fonts-cantarell munge slurmctld slurmd slurm-client parallel
 build "$preset"
 
 [ -e "${VOLUMEN_DATA:-$top/../shared/data}/MANIFEST.tsv" ] ||

@@ -7,6 +7,8 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <limits>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -54,6 +56,12 @@ class BorrowedArena {
   std::unique_ptr<tbb::task_arena> arena_;
 };
 
+int threadsOfJob() {
+  const char* text = std::getenv("SLURM_CPUS_PER_TASK");
+  const int count = text ? std::atoi(text) : 0;
+  return count > 0 ? count : std::numeric_limits<int>::max();
+}
+
 }  // namespace
 
 int allowedThreads() {
@@ -61,7 +69,7 @@ int allowedThreads() {
     cpu_set_t set;
     CPU_ZERO(&set);
     const int cpus = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-    return std::max(1, std::min(cpus, threadsOfControlGroups()));
+    return std::max(1, std::min({cpus, threadsOfControlGroups(), threadsOfJob()}));
   }();
   return count;
 }

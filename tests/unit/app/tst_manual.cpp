@@ -27,7 +27,7 @@ const char* const commands[] = {
     "list",          "archive",      "archive list",    "archive test", "archive query",
     "archive fetch", "archive keep", "archive receive", "forget",       "convert",
     "export",        "segment",      "compare",         "measure",      "accuracy",
-    "bench"};
+    "bench",         "batch"};
 
 /// Returns the manual page without markup.
 QString manual() {

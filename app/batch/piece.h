@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "app/command_line.h"
+#include "viewer/volume/result.h"
+
+namespace volumen {
+
+/// A piece of work: one command of a list, with the files that it writes.
+struct Piece {
+  int line = 0;                    ///< in the list, from 1
+  std::string command, path;       ///< as written
+  std::vector<std::string> words;  ///< the command line without the name of the program
+  std::vector<std::string>
+      outputs;               ///< files, or folders if the name ends with '/'; the stamp lies beside the first
+  bool keepsStdout = false;  ///< the command writes to stdout, which becomes the first output
+  std::string group;         ///< equal for pieces that one process does, as they read one series
+  bool isFolder() const { return outputs[0].ends_with('/'); }
+};
+
+/// Reads a list of work: a JSON object a line with "command", "path" (a text, or a list of them), "output" or
+/// "csv", and long options of the command without dashes; true is a flag, a list stands for its texts with
+/// commas. Empty lines and those that begin with # count but are no work. The Error names the line: it is no
+/// such object, has an unknown command or option or no output, or writes what another line writes.
+Result<std::vector<Piece>> readPieces(std::string_view list, const CommandLine& commands);
+
+}  // namespace volumen

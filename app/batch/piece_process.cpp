@@ -1,0 +1,158 @@
+#include "app/batch/piece_process.h"
+
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <new>
+
+#include "app/command_line.h"
+#include "app/open_volume.h"
+#include "io/worker/worker.h"
+
+namespace volumen {
+
+namespace {
+
+struct PieceAnswer {
+  int exitStatus = 0;
+  double seconds = 0;
+  std::uint64_t peakBytes = 0;
+};
+
+// Lets the kernel count the peak of memory anew.
+void forgetPeak() { std::ofstream("/proc/self/clear_refs") << 5; }
+
+std::uint64_t peakOfMemory() {
+  std::ifstream status("/proc/self/status");
+  std::uint64_t kibibytes = 0;
+  for (std::string word; status >> word;)
+    if (word == "VmHWM:") status >> kibibytes;
+  return kibibytes * 1024;
+}
+
+void startAgain(int fd) {
+  if (ftruncate(fd, 0) == 0) lseek(fd, 0, SEEK_SET);
+}
+
+PieceAnswer answerOf(const Piece& piece, const CancelToken& cancel) {
+  startAgain(STDOUT_FILENO), startAgain(STDERR_FILENO);
+  forgetPeak();
+  const auto begin = std::chrono::steady_clock::now();
+  PieceAnswer answer;
+  answer.exitStatus = CommandLine(cancel).run(piece.words);
+  std::cout.flush(), std::cerr.flush(), std::fflush(nullptr);
+  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  answer.peakBytes = peakOfMemory();
+  return answer;
+}
+
+void limitMemory(std::uint64_t mostBytes) {
+  rlimit limit{};
+  if (mostBytes == 0 || getrlimit(RLIMIT_DATA, &limit) != 0) return;
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, mostBytes);
+  setrlimit(RLIMIT_DATA, &limit);
+}
+
+[[noreturn]] void doPieces(const std::vector<Piece>& pieces, int socket, std::uint64_t mostBytes,
+                           const CancelToken& cancel) {
+  limitMemory(mostBytes);
+  worker::start();
+  keepOpened();
+  for (std::size_t index = 0; recv(socket, &index, sizeof index, MSG_WAITALL) == sizeof index;) {
+    const PieceAnswer answer = answerOf(pieces[index], cancel);
+    if (send(socket, &answer, sizeof answer, MSG_NOSIGNAL) != sizeof answer) break;
+  }
+  worker::stop();
+  _exit(0);
+}
+
+std::string wholeOf(int fd) {
+  std::string text;
+  char part[1 << 16];
+  for (ssize_t n; (n = pread(fd, part, sizeof part, off_t(text.size()))) > 0;)
+    text.append(part, std::size_t(n));
+  return text;
+}
+
+}  // namespace
+
+PieceProcess::PieceProcess(const std::vector<Piece>& pieces, std::uint64_t mostBytes,
+                           const CancelToken& cancel)
+    : cancel_(cancel),
+      out_(memfd_create("stdout", MFD_CLOEXEC)),
+      error_(memfd_create("stderr", MFD_CLOEXEC)) {
+  int ends[2] = {-1, -1};
+  if (!out_ || !error_ || socketpair(AF_UNIX, SOCK_SEQPACKET | SOCK_CLOEXEC, 0, ends) != 0) return;
+  socket_ = worker::Descriptor(ends[0]);
+  const worker::Descriptor theirs(ends[1]);
+  std::cout.flush(), std::fflush(nullptr);  // else both processes write what is left
+  const pid_t maker = getpid();
+  pid_ = fork();
+  if (pid_ != 0) return;
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  const int nothing = open("/dev/null", O_RDONLY | O_CLOEXEC);
+  const bool isReady = getppid() == maker && dup2(nothing, STDIN_FILENO) >= 0 &&
+                       dup2(out_.get(), STDOUT_FILENO) >= 0 && dup2(error_.get(), STDERR_FILENO) >= 0;
+  if (!isReady) _exit(1);
+  socket_ = {};
+  doPieces(pieces, theirs.get(), mostBytes, cancel);
+}
+
+PieceProcess::~PieceProcess() {
+  socket_ = {};
+  end();
+}
+
+// Returns why the process ended.
+std::string PieceProcess::end() {
+  int status = 0;
+  const bool isThere = pid_ > 0;
+  while (isThere && waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  }
+  pid_ = -1;
+  if (!isThere) return "could not be started";
+  if (WIFSIGNALED(status)) return "was ended by signal " + std::to_string(WTERMSIG(status));
+  return "ended with status " + std::to_string(WEXITSTATUS(status));
+}
+
+// Passes an interruption on.
+bool PieceProcess::waitForAnswer() {
+  constexpr int patienceMs = 200;
+  pollfd answer{socket_.get(), POLLIN, 0};
+  for (bool isTold = false;;) {
+    const int ready = poll(&answer, 1, patienceMs);
+    if (ready > 0 || (ready < 0 && errno != EINTR)) return ready > 0;
+    if (cancel_.cancelled() && !std::exchange(isTold, true)) kill(pid_, SIGTERM);
+  }
+}
+
+PieceResult PieceProcess::run(std::size_t index) {
+  PieceResult result;
+  PieceAnswer answer;
+  const bool isAnswered = pid_ > 0 &&
+                          send(socket_.get(), &index, sizeof index, MSG_NOSIGNAL) == sizeof index &&
+                          waitForAnswer() && recv(socket_.get(), &answer, sizeof answer, 0) == sizeof answer;
+  result.out = wholeOf(out_.get()), result.error = wholeOf(error_.get());
+  if (!isAnswered) {
+    result.end = end();
+    return result;
+  }
+  result.exitStatus = answer.exitStatus;
+  result.seconds = answer.seconds;
+  result.peakBytes = answer.peakBytes;
+  return result;
+}
+
+}  // namespace volumen

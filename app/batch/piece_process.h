@@ -1,0 +1,48 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/batch/piece.h"
+#include "io/worker/channel.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// How a piece of work ended.
+struct PieceResult {
+  std::optional<int> exitStatus;  ///< empty: its process ended
+  std::string end;                ///< then why: "was ended by signal 9"
+  double seconds = 0;
+  std::uint64_t peakBytes = 0;  ///< most memory of the process, without workers that read files
+  std::string out, error;       ///< what it wrote to stdout and stderr
+};
+
+/// A process that does pieces of work of one series, which it reads once. Whatever happens to it, the program
+/// goes on.
+class PieceProcess {
+ public:
+  /// Forks. There must be no threads and no workers. `mostBytes` limits its memory (ulimit -d); 0: nothing
+  /// does.
+  PieceProcess(const std::vector<Piece>& pieces, std::uint64_t mostBytes, const CancelToken& cancel);
+  ~PieceProcess();
+  PieceProcess(const PieceProcess&) = delete;
+  PieceProcess& operator=(const PieceProcess&) = delete;
+
+  /// Does a piece by its index. After one without exit status, none can be done.
+  PieceResult run(std::size_t index);
+
+ private:
+  bool waitForAnswer();
+  std::string end();
+
+  CancelToken cancel_;
+  worker::Descriptor socket_, out_, error_;
+  pid_t pid_ = -1;
+};
+
+}  // namespace volumen

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+
+#include "app/batch/shards.h"
+#include "viewer/volume/cancel.h"
+
+namespace volumen {
+
+/// How many pieces of a list ended how.
+struct ListResult {
+  int done = 0, skipped = 0, withLosses = 0, failed = 0;
+  bool interrupted = false;
+  std::vector<Piece> there;  ///< pieces whose outputs are there
+};
+
+/// Does groups of pieces (dealt()), each in a process of its own, and writes a JSON object a line to stdout
+/// for each: how it ended, exit status, seconds, peak of memory, warnings, and the error that a picture
+/// states. A piece that is done (isDone()) is skipped. What happens to one piece costs its line alone. There
+/// must be no threads and no workers. `mostBytes` is that of PieceProcess.
+ListResult runList(const std::vector<std::vector<Piece>>& groups, std::uint64_t mostBytes,
+                   const CancelToken& cancel);
+
+}  // namespace volumen

@@ -1,0 +1,119 @@
+#include "app/batch/stamps.h"
+
+#include <QCryptographicHash>
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <system_error>
+
+#include "app/printable.h"
+#include "io/files/output_file.h"
+#include "io/files/preset_files.h"
+#include "io/paths/open_path.h"
+#include "io/regular_file.h"
+
+namespace volumen {
+
+namespace {
+
+namespace fs = std::filesystem;
+using StampJson = nlohmann::ordered_json;
+
+std::string whole(const std::string& name) { return name.substr(0, name.find_last_not_of('/') + 1); }
+
+// Returns name, size and time of a file as a line of text.
+std::string lineOf(const fs::path& file) {
+  std::error_code problem;
+  const auto bytes = fs::file_size(file, problem);
+  const auto time = fs::last_write_time(file, problem).time_since_epoch().count();
+  return problem ? std::string()
+                 : file.string() + '\n' + std::to_string(bytes) + ' ' + std::to_string(time) + '\n';
+}
+
+// Returns the bytes of a file, or of all files in a folder; empty if there is none.
+std::optional<std::uintmax_t> sizeOfOutput(const std::string& name) {
+  std::error_code problem;
+  if (!fs::is_directory(name, problem)) {
+    const auto bytes = fs::file_size(name, problem);
+    return problem ? std::nullopt : std::optional(bytes);
+  }
+  std::uintmax_t bytes = 0;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(name, problem))
+    if (entry.is_regular_file(problem)) bytes += entry.file_size(problem) + 1;
+  return bytes;
+}
+
+// Returns the files that an output became: itself, or a file for each segment (NAME-*.stl).
+std::vector<std::string> filesOf(const std::string& output) {
+  std::error_code ignored;
+  if (fs::exists(whole(output), ignored)) return {whole(output)};
+  const fs::path place(output);
+  const std::string begin = place.stem().string() + '-', end = place.extension().string();
+  const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
+  std::vector<std::string> files;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder, ignored)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(begin) && name.ends_with(end)) files.push_back((folder / name).string());
+  }
+  std::ranges::sort(files);
+  return files;
+}
+
+}  // namespace
+
+std::string stampFile(const Piece& piece) { return whole(piece.outputs[0]) + ".volumen-stamp"; }
+
+const std::string& Stamps::filesAt(const std::string& path) {
+  const auto [known, isNew] = known_.emplace(path, "");
+  if (!isNew || path.starts_with("archive:") || path.starts_with("phantom:")) return known->second;
+  QCryptographicHash hash(QCryptographicHash::Sha256);
+  if (auto files = filesOfPath(path, {}, cancel_); files) {
+    std::ranges::sort(*files);
+    for (const std::string& file : *files) hash.addData(QByteArray::fromStdString(lineOf(file)));
+  }
+  return known->second = hash.result().toHex().toStdString();
+}
+
+std::string Stamps::of(const Piece& piece) {
+  std::vector<std::string> read = {presetFolder()};
+  for (const std::string& word : piece.words) {
+    const std::string value =
+        word.starts_with("--") ? word.substr(std::min(word.find('='), word.size() - 1) + 1) : word;
+    const bool isWritten = std::ranges::find(piece.outputs, value) != piece.outputs.end();
+    std::error_code ignored;
+    if (!isWritten && (isStudyName(value) || fs::exists(value, ignored))) read.push_back(value);
+  }
+  StampJson words = StampJson::array(), files = StampJson::array();
+  for (const std::string& word : piece.words) words.push_back(pathForJson(word));
+  for (const std::string& path : read) files.push_back(filesAt(path));
+  return StampJson{{"version", VOLUMEN_VERSION}, {"command", words}, {"files", files}}.dump();
+}
+
+bool isDone(const Piece& piece, const std::string& stamp) {
+  constexpr std::int64_t mostBytes = 1 << 20;
+  const auto text = wholeText(stampFile(piece), mostBytes, "a stamp");
+  if (!text) return false;
+  const auto json = StampJson::parse(*text, nullptr, false);
+  if (!json.is_object() || json.value("made", StampJson()).dump() != stamp) return false;
+  const auto outputs = json.find("outputs");
+  return outputs != json.end() && outputs->is_object() && !outputs->empty() &&
+         std::ranges::all_of(outputs->items(), [](const auto& one) {
+           const auto bytes = sizeOfOutput(one.key());
+           return bytes && one.value() == *bytes;
+         });
+}
+
+Status writeStamp(const Piece& piece, const std::string& stamp, const std::string& aside) {
+  StampJson outputs = StampJson::object();
+  if (!aside.empty()) outputs[whole(piece.outputs[0])] = sizeOfOutput(aside).value_or(0);
+  for (const std::string& output : piece.outputs) {
+    if (!aside.empty() && output == piece.outputs[0]) continue;
+    const std::vector<std::string> files = filesOf(output);
+    if (files.empty()) return Error{"It ended well, but " + output + " is not there."};
+    for (const std::string& file : files) outputs[file] = sizeOfOutput(file).value_or(0);
+  }
+  const StampJson all = {{"made", StampJson::parse(stamp)}, {"outputs", outputs}};
+  return writeWholeFile(stampFile(piece), all.dump() + "\n");
+}
+
+}  // namespace volumen

@@ -1,0 +1,108 @@
+#include <unistd.h>
+
+#include <iostream>
+#include <iterator>
+#include <memory>
+
+#include "app/batch/gather.h"
+#include "app/batch/list_from_index.h"
+#include "app/batch/run_list.h"
+#include "app/command.h"
+#include "app/index_option.h"
+#include "app/usage.h"
+#include "io/files/output_file.h"
+#include "io/regular_file.h"
+#include "io/worker/worker.h"
+
+namespace volumen {
+
+namespace {
+
+struct BatchOptions {
+  std::string list, shard, gathered, words, typed, index;
+  std::uint64_t mostBytes = 0;
+};
+
+Result<std::string> textOfList(const std::string& path) {
+  constexpr std::uint64_t mostBytes = 256 << 20;
+  if (path != "-") return wholeText(path, mostBytes, "a list of work");
+  return std::string(std::istreambuf_iterator<char>(std::cin), {});
+}
+
+Status checkBatch(const BatchOptions& options, Shard shard) {
+  if (options.typed.empty() != options.words.empty())
+    return Error{"--from-index and --do make a list together: give both."};
+  if (options.typed.empty() == options.list.empty())
+    return Error{"Give a list of work, or --from-index and --do, which write one to stdout."};
+  if (!options.gathered.empty() && shard.count > 1)
+    return Error{
+        "--gather joins what all shards made: run the list once more without a shard when they have ended."};
+  return {};
+}
+
+int makeList(const BatchOptions& options, const CommandLine& commands) {
+  const auto list = listFromIndex(options.words, options.typed, options.index, commands);
+  if (!list) return fail(list.message());
+  std::cout << *list;
+  return exitDone;
+}
+
+int statusOf(const ListResult& result) {
+  std::cerr << "volumen: " << result.done << " done, " << result.skipped << " done before, " << result.failed
+            << " failed" << (result.interrupted ? "; interrupted" : "") << ".\n";
+  if (result.failed > 0 || result.interrupted) return exitFailed;
+  return result.withLosses > 0 ? exitLosses : exitDone;
+}
+
+int run(const BatchOptions& options, const CancelToken& cancel) {
+  const auto shard = shardOf(options.shard);
+  if (!shard) return failUsage(shard.message());
+  if (Status s = checkBatch(options, *shard); !s) return failUsage(s.message());
+  const CommandLine commands(cancel);
+  if (!options.typed.empty()) return makeList(options, commands);
+  const auto text = textOfList(options.list);
+  if (!text) return fail(text.message());
+  const auto pieces = readPieces(*text, commands);
+  if (!pieces) return failUsage(pieces.message());
+  worker::stop();  // each process of a piece has its own
+  const ListResult result = runList(dealt(*pieces, *shard), options.mostBytes, cancel);
+  const int status = statusOf(result);
+  if (options.gathered.empty() || result.interrupted) return status;
+  const Status gathered = gather(result.there, options.gathered);
+  return gathered ? status : fail(gathered.message());
+}
+
+}  // namespace
+
+std::function<int()> makeBatch(CLI::App& app, const CancelToken& cancel) {
+  auto options = std::make_shared<BatchOptions>();
+  app.add_option(
+         "LIST", options->list,
+         "A list of work, or - for stdin: a JSON object a line with \"command\" (render, slice, segment, "
+         "measure, info, convert, export), \"path\", \"output\", and the command's long options")
+      ->type_name("");
+  app.add_option("--shard", options->shard,
+                 "Do the I-th of N parts of the list (default: that of the Slurm array, else all)")
+      ->type_name("I/N");
+  app.add_option("--max-memory", options->mostBytes,
+                 "Memory that a piece of work may take, such as 4G (default: all there is)")
+      ->transform(CLI::AsSizeValue(false))
+      ->type_name("BYTES");
+  app.add_option("--gather", options->gathered, "Join the tables (.csv) of all pieces into this one")
+      ->type_name("FILE");
+  app.add_option(
+         "--from-index", options->words,
+         "Write a list for the studies of the index that have all of these words, and do nothing else")
+      ->type_name("WORDS");
+  app.add_option("--do", options->typed,
+                 "The command for each of these studies, without PATH; {out} becomes a name for its files")
+      ->type_name("COMMAND");
+  addIndex(app, options->index);
+  addExamples(
+      app,
+      {"volumen batch jobs.jsonl --shard 3/20",
+       "volumen batch --from-index 'ct chest' --do 'segment --recipe bone --csv {out}.csv' > jobs.jsonl"});
+  return [options, cancel] { return run(*options, cancel); };
+}
+
+}  // namespace volumen

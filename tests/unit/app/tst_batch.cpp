@@ -1,0 +1,251 @@
+// Guards `volumen batch`: every piece of a list is done as by hand, in one of any number of programs.
+#include <QRandomGenerator>
+
+#include "tests/unit/app/batch_case.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+class TestBatch : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void badListsAreRefusedAtOnce_data();
+  void badListsAreRefusedAtOnce();
+  void badUseIsSaid_data();
+  void badUseIsSaid();
+  void everyCommandIsDoneAsByHand();
+  void shardsDoEachPieceOnce();
+  void slurmTasksAreShards_data();
+  void slurmTasksAreShards();
+  void tablesAreGathered();
+  void listsAreMadeOfTheIndex();
+};
+
+void TestBatch::badListsAreRefusedAtOnce_data() {
+  QTest::addColumn<QByteArray>("line");
+  QTest::addColumn<QByteArray>("said");
+  const auto row = [](const char* name, const char* line, const char* said) {
+    QTest::newRow(name) << QByteArray(line) << QByteArray(said);
+  };
+  row("no JSON", "render a", "it is no JSON object");
+  row("no object", "[1]", "it is no JSON object");
+  row("no command", R"({"path": "a", "output": "b"})", "\"command\" is none of render");
+  row("a command of another kind", R"({"command": "open", "path": "a", "output": "b"})",
+      "\"command\" is none of");
+  row("no path", R"({"command": "render", "output": "b"})", "\"path\" is missing");
+  row("an empty path", R"({"command": "render", "path": "", "output": "b"})", "\"path\" is not a text");
+  row("no paths", R"({"command": "render", "path": [], "output": "b"})", "\"path\" is empty");
+  row("no output", R"({"command": "render", "path": "a"})", "\"output\" is missing");
+  row("an unknown option", R"({"command": "render", "path": "a", "output": "b", "colour": 1})",
+      "volumen render has no option --colour");
+  row("no value", R"({"command": "render", "path": "a", "output": "b", "size": null})",
+      "\"size\" is neither");
+  row("a list of lists", R"({"command": "render", "path": "a", "output": "b", "size": [[1]]})",
+      "\"size\" holds a list in a list");
+  row("an archive as output", R"({"command": "render", "path": "a", "output": "archive:x"})",
+      "a piece of work is written to a file");
+  row("an output of another line", R"({"command": "render", "path": "a", "output": "./first.png"})",
+      "it writes ./first.png, as line 1 does");
+}
+
+void TestBatch::badListsAreRefusedAtOnce() {
+  QFETCH(QByteArray, line);
+  QFETCH(QByteArray, said);
+  const BatchFolder folder;
+  folder.write(QStringLiteral("jobs"),
+               listOf({smallPicture(QStringLiteral("first.png"))}) + "\n# words\n" + line);
+  const Outcome a = folder.batch();
+  QCOMPARE(a.status, 2);
+  QVERIFY2(a.err.contains("Line 4 of the list: " + said) && a.out.isEmpty(), a.err);
+  QCOMPARE(folder.files(), QStringList{QStringLiteral("jobs")});
+}
+
+void TestBatch::badUseIsSaid_data() {
+  QTest::addColumn<QString>("options");
+  QTest::addColumn<QByteArray>("said");
+  const auto row = [](const char* options, const char* said) {
+    QTest::newRow(options) << QString::fromLatin1(options) << QByteArray(said);
+  };
+  row("batch", "Give a list of work");
+  row("batch nowhere", "nowhere");
+  row("batch - --shard 0/3", "--shard is I/N");
+  row("batch - --shard 4/3", "--shard is I/N");
+  row("batch - --shard 2", "--shard is I/N");
+  row("batch - --shard 1/3x", "--shard is I/N");
+  row("batch - --shard 1/2 --gather a.csv", "--gather joins what all shards made");
+  row("batch - --max-memory much", "--max-memory");
+  row("batch --do render", "give both");
+  row("batch - --from-index ct --do render", "Give a list of work, or");
+}
+
+void TestBatch::badUseIsSaid() {
+  QFETCH(QString, options);
+  QFETCH(QByteArray, said);
+  const Outcome a = runProgram(options);
+  QVERIFY(a.status == 1 || a.status == 2);
+  QVERIFY2(a.err.contains(said) && a.out.isEmpty(), a.err);
+}
+
+void TestBatch::everyCommandIsDoneAsByHand() {
+  const BatchFolder folder;
+  const auto set = [](const char* name, const QJsonValue& value) {
+    return QJsonObject{{QString::fromLatin1(name), value}};
+  };
+  folder.write(QStringLiteral("roi.json"),
+               R"([{"kind": "length", "points": [[0, 0, 0], [0, 30, 0]]}])");
+  const QString roi = QStringLiteral("roi.json");
+  const QList<std::pair<QJsonObject, QString>> rows = {
+      {smallPicture(QStringLiteral("a.png")), QStringLiteral("render %1 --size 32x32 -o %2a.png")},
+      {piece(QStringLiteral("slice"), QStringLiteral("b.png"), set("plane", QStringLiteral("coronal"))),
+       QStringLiteral("slice %1 --plane coronal -o %2b.png")},
+      {piece(QStringLiteral("segment"), QStringLiteral("c.stl"), set("recipe", QStringLiteral("bone"))),
+       QStringLiteral("segment %1 --recipe bone -o %2c.stl")},
+      {piece(QStringLiteral("convert"), QStringLiteral("d.nrrd")), QStringLiteral("convert %1 -o %2d.nrrd")},
+      {piece(QStringLiteral("info"), QStringLiteral("e.json"), set("json", true)),
+       QStringLiteral("info %1 --json")},
+      {piece(QStringLiteral("measure"), QStringLiteral("f.json"), {{QStringLiteral("roi"), roi}}),
+       QStringLiteral("measure %1 --roi %2roi.json")},
+      {piece(QStringLiteral("export"), QStringLiteral("g.png"),
+             {{QStringLiteral("as"), QStringLiteral("apng")},
+              {QStringLiteral("turntable"), 3},
+              {QStringLiteral("size"), QStringLiteral("32x32")}}),
+       QStringLiteral("export %1 --as apng --turntable 3 --size 32x32 -o %2g.png")}};
+  QList<QJsonObject> pieces;
+  for (const auto& [one, hand] : rows) pieces << one;
+  folder.write(QStringLiteral("jobs"), listOf(pieces));
+  const Outcome a = folder.batch();
+  QVERIFY2(a.status == 0, a.out + a.err);
+  QCOMPARE(endsIn(a.out), all(int(rows.size()), QStringLiteral("done")));
+  const QJsonObject first = lineIn(a.out, 1);
+  QVERIFY(first[QStringLiteral("seconds")].toDouble() > 0);
+  QVERIFY(first[QStringLiteral("peakMebibytes")].toInt() > 10);
+  QVERIFY(first[QStringLiteral("error")].isObject());
+  const QTemporaryDir byHand;
+  QVERIFY(QFile::copy(folder.at(roi), byHand.filePath(roi)));
+  for (const auto& [one, hand] : rows) {
+    const QString name = one[QStringLiteral("output")].toString();
+    const Outcome b = runProgram(hand.arg(smallHead, byHand.path() + QLatin1Char('/')));
+    QVERIFY2(b.status == 0, b.err);
+    QVERIFY2(folder.contents(name) ==
+                 (name.endsWith(QLatin1String(".json")) ? b.out : contentsOf(byHand.filePath(name))),
+             qPrintable(name));
+  }
+  const Outcome again = folder.batch();
+  QVERIFY2(again.status == 0, again.err);
+  QCOMPARE(endsIn(again.out), all(int(rows.size()), QStringLiteral("skipped")));
+}
+
+void TestBatch::shardsDoEachPieceOnce() {
+  QRandomGenerator random(75);
+  const int cases = qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES");
+  for (int n = 0; n < std::max(2, cases); ++n) {
+    const BatchFolder folder;
+    QList<QJsonObject> pieces;
+    const int count = 1 + int(random.bounded(9)), shards = 1 + int(random.bounded(5));
+    for (int k = 0; k < count; ++k)
+      pieces << piece(
+          QStringLiteral("info"), QStringLiteral("%1.txt").arg(k),
+          {{QStringLiteral("path"), QStringLiteral("phantom:ct-head:%1").arg(16 + random.bounded(3))}});
+    folder.write(QStringLiteral("jobs"), listOf(pieces));
+    QMap<int, int> done;
+    int most = 0;
+    for (int shard = 1; shard <= shards; ++shard) {
+      const Outcome a =
+          folder.batch({QStringLiteral("--shard"), QStringLiteral("%1/%2").arg(shard).arg(shards)});
+      QVERIFY2(a.status == 0, a.err);
+      const QMap<int, QString> ends = endsIn(a.out);
+      most = std::max(most, int(ends.size()));
+      for (const int line : ends.keys()) QVERIFY(++done[line] == 1 && ends[line] == QLatin1String("done"));
+    }
+    QCOMPARE(done.size(), count);
+    QVERIFY(most < 2 * ((count + shards - 1) / shards));
+  }
+}
+
+void TestBatch::slurmTasksAreShards_data() {
+  QTest::addColumn<QByteArrayList>("values");  // ID, COUNT, MIN, STEP
+  QTest::addColumn<int>("line");               // 0: refused
+  const auto row = [](const char* name, const QByteArrayList& values, int line) {
+    QTest::newRow(name) << values << line;
+  };
+  row("from 0", {"2", "3", "0", "1"}, 3);
+  row("from 1", {"1", "3", "1", "1"}, 1);
+  row("by steps", {"25", "3", "5", "10"}, 3);
+  row("with gaps", {"7", "2", "3", "1"}, 0);
+}
+
+void TestBatch::slurmTasksAreShards() {
+  QFETCH(QByteArrayList, values);
+  QFETCH(int, line);
+  const BatchFolder folder;
+  QList<QJsonObject> pieces;
+  for (int k = 0; k < 3; ++k)
+    pieces << piece(QStringLiteral("info"), QStringLiteral("%1.txt").arg(k),
+                    {{QStringLiteral("path"), QStringLiteral("phantom:ct-head:%1").arg(16 + k)}});
+  folder.write(QStringLiteral("jobs"), listOf(pieces));
+  const char* const names[] = {"SLURM_ARRAY_TASK_ID", "SLURM_ARRAY_TASK_COUNT", "SLURM_ARRAY_TASK_MIN",
+                               "SLURM_ARRAY_TASK_STEP"};
+  for (int n = 0; n < 4; ++n) qputenv(names[n], values[n]);
+  const Outcome a = folder.batch();
+  for (const char* name : names) qunsetenv(name);
+  QCOMPARE(a.status, line == 0 ? 2 : 0);
+  if (line == 0) QVERIFY2(a.err.contains("have gaps"), a.err);
+  if (line > 0) QCOMPARE(endsIn(a.out).keys(), QList<int>{line});
+}
+
+void TestBatch::tablesAreGathered() {
+  const BatchFolder folder;
+  QJsonObject one =
+      piece(QStringLiteral("segment"), {}, {{QStringLiteral("recipe"), QStringLiteral("bone")}});
+  one.remove(QStringLiteral("output"));
+  QList<QJsonObject> pieces;
+  for (const QString& size : {QStringLiteral("24"), QStringLiteral("32")}) {
+    one[QStringLiteral("path")] = QStringLiteral("phantom:ct-head:") + size;
+    one[QStringLiteral("csv")] = size + QStringLiteral(".csv");
+    pieces << one;
+  }
+  one[QStringLiteral("path")] = QStringLiteral("missing");
+  one[QStringLiteral("csv")] = QStringLiteral("no.csv");
+  folder.write(QStringLiteral("jobs"), listOf(pieces << one));
+  const Outcome a = folder.batch({QStringLiteral("--gather"), QStringLiteral("all.csv")});
+  QCOMPARE(a.status, 1);
+  const QByteArrayList rows = folder.contents(QStringLiteral("all.csv")).trimmed().split('\n');
+  QCOMPARE(rows.size(), 3);
+  QVERIFY(rows[0].startsWith("line,path,file,"));
+  for (int n = 0; n < 2; ++n) {
+    const QByteArray table = folder.contents(n == 0 ? QStringLiteral("24.csv") : QStringLiteral("32.csv"));
+    QCOMPARE(rows[0], "line,path,file," + table.split('\n')[0].trimmed());
+    QVERIFY2(rows[n + 1].endsWith(table.split('\n')[1].trimmed()), rows[n + 1]);
+    QVERIFY(rows[n + 1].startsWith(QByteArray::number(n + 1) + ",phantom:ct-head:"));
+  }
+}
+
+void TestBatch::listsAreMadeOfTheIndex() {
+  const BatchFolder folder;
+  const QString index = folder.at(QStringLiteral("index")), scans = folder.at(QStringLiteral("scans/"));
+  QCOMPARE(runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, scans)).status, 0);
+  QCOMPARE(runProgram(QStringLiteral("import %1 --index %2").arg(scans, index)).status, 0);
+  const auto list = [&](const QString& words, const QString& command) {
+    return runProgram({QStringLiteral("batch"), QStringLiteral("--from-index"), words, QStringLiteral("--do"),
+                       command, QStringLiteral("--index"), index});
+  };
+  const Outcome a = list(QStringLiteral("ct"),
+                         QStringLiteral("segment --recipe bone --csv \"{out}.csv\" -o {out}.stl --one-file"));
+  QVERIFY2(a.status == 0, a.err);
+  const QJsonObject one = QJsonDocument::fromJson(a.out).object();
+  QVERIFY2(one[QStringLiteral("path")].toString().startsWith(QLatin1String("index:")), a.out);
+  QCOMPARE(one[QStringLiteral("command")].toString(), QStringLiteral("segment"));
+  QCOMPARE(one[QStringLiteral("one-file")].toBool(), true);
+  QVERIFY(one[QStringLiteral("csv")].toString().size() > 20);
+  QCOMPARE(one[QStringLiteral("output")].toString().chopped(4),
+           one[QStringLiteral("csv")].toString().chopped(4));
+  for (const char* wrong : {"segment --colour 1", "paint", "segment --csv", "segment --csv a b"}) {
+    const Outcome b = list(QStringLiteral("ct"), QString::fromLatin1(wrong));
+    QVERIFY2(b.status == 1 && b.out.isEmpty() && b.err.contains("--do"), b.err);
+  }
+  QVERIFY(list(QStringLiteral("nobody"), QStringLiteral("render -o {out}.png"))
+              .err.contains("No study of the index"));
+}
+
+VOLUMEN_TEST(TestBatch);
+#include "tst_batch.moc"

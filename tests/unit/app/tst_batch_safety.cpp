@@ -1,0 +1,258 @@
+// Guards `volumen batch` against everything that ends a piece of work or the program, and against stamps that
+// no longer hold: what is there is whole, and the next run does the rest.
+#include <signal.h>
+
+#include <QDateTime>
+#include <QRandomGenerator>
+#include <QScopeGuard>
+
+#include "tests/fixtures/mount_disk.h"
+#include "tests/unit/app/batch_case.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+class TestBatchSafety : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void stampsThatNoLongerHoldAreDoneAgain_data();
+  void stampsThatNoLongerHoldAreDoneAgain();
+  void aPoisonedPieceCostsItsLine();
+  void aKilledProcessCostsItsLine();
+  void littleMemoryIsSaid();
+  void twoProgramsMayDoOneList();
+  void killedProgramsLeaveNothingHalf();
+  void interruptionsLeaveNothingHalf();
+  void foldersAreWholeOrNotThere();
+  void otherFoldersStay();
+  void aFullDiskIsSaid();
+};
+
+void TestBatchSafety::stampsThatNoLongerHoldAreDoneAgain_data() {
+  QTest::addColumn<QString>("change");
+  for (const char* change : {"another input", "a newer input", "another scene", "another option", "no output",
+                             "half an output", "another version", "no stamp", "a broken stamp"})
+    QTest::newRow(change) << QString::fromLatin1(change);
+}
+
+void TestBatchSafety::stampsThatNoLongerHoldAreDoneAgain() {
+  QFETCH(QString, change);
+  const BatchFolder folder;
+  const QString input = QStringLiteral("in.nrrd"), output = QStringLiteral("out.png");
+  QCOMPARE(runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, folder.at(input))).status, 0);
+  QCOMPARE(runProgram(QStringLiteral("render %1 --size 32x32 -o %2")
+                          .arg(smallHead, folder.at(QStringLiteral("scene.png"))))
+               .status,
+           0);
+  QJsonObject one = smallPicture(output, input);
+  one[QStringLiteral("scene")] = QStringLiteral("scene.png");
+  folder.write(QStringLiteral("jobs"), listOf({one}));
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
+  const QByteArray before = folder.contents(output);
+  const QString stamp = output + QStringLiteral(".volumen-stamp");
+  if (change == QLatin1String("another input")) {
+    QFile::remove(folder.at(input));
+    QCOMPARE(runProgram(QStringLiteral("convert phantom:ct-head:24 -o %1").arg(folder.at(input))).status, 0);
+  } else if (change == QLatin1String("a newer input")) {
+    QFile file(folder.at(input));
+    QVERIFY(file.open(QIODevice::ReadWrite));
+    QVERIFY(file.setFileTime(QDateTime::currentDateTime().addDays(1), QFileDevice::FileModificationTime));
+  } else if (change == QLatin1String("another scene")) {
+    QCOMPARE(runProgram(QStringLiteral("render %1 --preset CT-Bone --size 32x32 -o %2")
+                            .arg(smallHead, folder.at(QStringLiteral("scene.png"))))
+                 .status,
+             0);
+  } else if (change == QLatin1String("another option")) {
+    one[QStringLiteral("size")] = QStringLiteral("33x32");
+    folder.write(QStringLiteral("jobs"), listOf({one}));
+  } else if (change == QLatin1String("no output")) {
+    QVERIFY(QFile::remove(folder.at(output)));
+  } else if (change == QLatin1String("half an output")) {
+    QVERIFY(QFile::resize(folder.at(output), before.size() / 2));
+  } else if (change == QLatin1String("another version")) {
+    folder.write(stamp, folder.contents(stamp).replace("\"version\":\"", "\"version\":\"0"));
+  } else if (change == QLatin1String("no stamp")) {
+    QVERIFY(QFile::remove(folder.at(stamp)));
+  } else {
+    folder.write(stamp, "{\"made\":");
+  }
+  const Outcome a = folder.batch();
+  QVERIFY2(a.status == 0, a.out + a.err);
+  QCOMPARE(endsIn(a.out), all(1, QStringLiteral("done")));
+  const bool isOther = change == QLatin1String("another input") || change == QLatin1String("another scene") ||
+                       change == QLatin1String("another option");
+  QCOMPARE(folder.contents(output) != before, isOther);
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
+}
+
+void TestBatchSafety::aPoisonedPieceCostsItsLine() {
+  const BatchFolder folder;
+  folder.write(QStringLiteral("poison.dcm"), QByteArray(200, 'x'));
+  QJsonObject badValue = smallPicture(QStringLiteral("c.png"));
+  badValue[QStringLiteral("size")] = QStringLiteral("many");
+  folder.write(QStringLiteral("jobs"),
+               listOf({smallPicture(QStringLiteral("a.png")),
+                       smallPicture(QStringLiteral("b.png"), QStringLiteral("poison.dcm")), badValue,
+                       smallPicture(QStringLiteral("d.png"))}));
+  const Outcome a = folder.batch();
+  QCOMPARE(a.status, 1);
+  QMap<int, QString> ends = all(4, QStringLiteral("done"));
+  ends[2] = ends[3] = QStringLiteral("failed");
+  QCOMPARE(endsIn(a.out), ends);
+  QCOMPARE(lineIn(a.out, 2)[QStringLiteral("exit")].toInt(), 1);
+  QCOMPARE(lineIn(a.out, 3)[QStringLiteral("exit")].toInt(), 2);
+  QVERIFY(!lineIn(a.out, 2)[QStringLiteral("warnings")].toArray().isEmpty());
+  QVERIFY(!QFile::exists(folder.at(QStringLiteral("b.png"))));
+  QVERIFY(folder.contents(QStringLiteral("a.png")) == folder.contents(QStringLiteral("d.png")));
+}
+
+void TestBatchSafety::aKilledProcessCostsItsLine() {
+  const BatchFolder folder;
+  QJsonObject slow = piece(QStringLiteral("render"), QStringLiteral("b.png"),
+                           {{QStringLiteral("method"), QStringLiteral("reference")},
+                            {QStringLiteral("size"), QStringLiteral("1024x1024")}});
+  folder.write(QStringLiteral("jobs"),
+               listOf({smallPicture(QStringLiteral("a.png")), slow, smallPicture(QStringLiteral("c.png"))}));
+  QProcess process;
+  folder.start(process);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at(QStringLiteral("a.png.volumen-stamp"))), 60000);
+  QTest::qWait(300);
+  const QList<pid_t> children = childrenOf(process.processId());
+  QCOMPARE(children.size(), 1);
+  kill(children[0], SIGKILL);
+  QVERIFY(process.waitForFinished(60000));
+  QCOMPARE(process.exitCode(), 1);
+  const QByteArray out = process.readAllStandardOutput();
+  QMap<int, QString> ends = all(3, QStringLiteral("done"));
+  ends[2] = QStringLiteral("failed");
+  QCOMPARE(endsIn(out), ends);
+  const QJsonArray said = lineIn(out, 2)[QStringLiteral("warnings")].toArray();
+  QVERIFY2(said.contains(QStringLiteral("Its process was ended by signal 9.")), out);
+}
+
+void TestBatchSafety::littleMemoryIsSaid() {
+  const BatchFolder folder;
+  folder.write(QStringLiteral("jobs"),
+               listOf({smallPicture(QStringLiteral("a.png")),
+                       smallPicture(QStringLiteral("b.png"), QStringLiteral("phantom:ct-head:512"))}));
+  const Outcome a = folder.batch({QStringLiteral("--max-memory"), QStringLiteral("100M")});
+  QCOMPARE(a.status, 1);
+  QMap<int, QString> ends{{1, QStringLiteral("done")}, {2, QStringLiteral("failed")}};
+  QCOMPARE(endsIn(a.out), ends);
+  QVERIFY2(lineIn(a.out, 2)[QStringLiteral("exit")].toInt() == 1 && a.out.contains("memory"), a.out);
+}
+
+void TestBatchSafety::twoProgramsMayDoOneList() {
+  const BatchFolder folder;
+  QList<QJsonObject> pieces;
+  for (int k = 0; k < 12; ++k)
+    pieces << smallPicture(QStringLiteral("%1.png").arg(k), QStringLiteral("phantom:ct-head:%1").arg(24 + k));
+  folder.write(QStringLiteral("jobs"), listOf(pieces));
+  QProcess one, two;
+  folder.start(one), folder.start(two);
+  QVERIFY(one.waitForFinished(120000) && two.waitForFinished(120000));
+  QVERIFY2(one.exitCode() == 0 && two.exitCode() == 0,
+           one.readAllStandardError() + two.readAllStandardError());
+  QCOMPARE(endsIn(folder.batch().out), all(12, QStringLiteral("skipped")));
+  QCOMPARE(folder.files().size(), 25);
+}
+
+void TestBatchSafety::killedProgramsLeaveNothingHalf() {
+  const BatchFolder folder;
+  QList<QJsonObject> pieces;
+  for (int k = 0; k < 8; ++k) pieces << smallPicture(QStringLiteral("%1.png").arg(k));
+  pieces << piece(QStringLiteral("convert"), QStringLiteral("series/"), {});
+  folder.write(QStringLiteral("jobs"), listOf(pieces));
+  QRandomGenerator random(76);
+  for (int n = 0; n < std::max(6, qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES")); ++n) {
+    QProcess process;
+    folder.start(process);
+    QTest::qWait(int(random.bounded(250)));
+    process.kill();
+    QVERIFY(process.state() == QProcess::NotRunning || process.waitForFinished());
+    for (int k = 0; k < 8; ++k)
+      if (const QByteArray picture = folder.contents(QStringLiteral("%1.png").arg(k)); !picture.isEmpty())
+        QVERIFY(picture.endsWith("IEND\xae\x42\x60\x82"));
+    if (random.bounded(3) == 0) QFile::remove(folder.at(QStringLiteral("%1.png").arg(random.bounded(8))));
+  }
+  const Outcome a = folder.batch();
+  QVERIFY2(a.status == 0, a.out + a.err);
+  for (int k = 1; k < 8; ++k)
+    QVERIFY(folder.contents(QStringLiteral("0.png")) == folder.contents(QStringLiteral("%1.png").arg(k)));
+  QCOMPARE(QDir(folder.at(QStringLiteral("series"))).entryList(QDir::Files).size(), 35);
+  QCOMPARE(endsIn(folder.batch().out), all(9, QStringLiteral("skipped")));
+  QCOMPARE(folder.files().size(), 2 * 9 + 1);
+}
+
+void TestBatchSafety::interruptionsLeaveNothingHalf() {
+  const BatchFolder folder;
+  QJsonObject slow = piece(QStringLiteral("render"), QStringLiteral("b.png"),
+                           {{QStringLiteral("method"), QStringLiteral("reference")},
+                            {QStringLiteral("size"), QStringLiteral("1024x1024")}});
+  folder.write(QStringLiteral("jobs"),
+               listOf({smallPicture(QStringLiteral("a.png")), slow, smallPicture(QStringLiteral("c.png"))}));
+  QProcess process;
+  folder.start(process);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at(QStringLiteral("a.png.volumen-stamp"))), 60000);
+  QTest::qWait(200);
+  process.terminate();
+  QVERIFY(process.waitForFinished(20000));
+  QCOMPARE(process.exitStatus(), QProcess::CrashExit);  // ended by the signal
+  const QMap<int, QString> ends{{1, QStringLiteral("done")}, {2, QStringLiteral("interrupted")}};
+  QCOMPARE(endsIn(process.readAllStandardOutput()), ends);
+  QCOMPARE(folder.files(), (QStringList{QStringLiteral("a.png"), QStringLiteral("a.png.volumen-stamp"),
+                                        QStringLiteral("jobs")}));
+}
+
+void TestBatchSafety::foldersAreWholeOrNotThere() {
+  const BatchFolder folder;
+  const QString input = QStringLiteral("in.nrrd");
+  QCOMPARE(runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, folder.at(input))).status, 0);
+  folder.write(QStringLiteral("jobs"), listOf({piece(QStringLiteral("convert"), QStringLiteral("series/"),
+                                                     {{QStringLiteral("path"), input}})}));
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
+  QCOMPARE(QDir(folder.at(QStringLiteral("series"))).entryList(QDir::Files).size(), 35);
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
+  QFile::remove(folder.at(input));
+  QCOMPARE(runProgram(QStringLiteral("convert phantom:ct-head:24 -o %1").arg(folder.at(input))).status, 0);
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
+  QCOMPARE(QDir(folder.at(QStringLiteral("series"))).entryList(QDir::Files).size(), 26);
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
+}
+
+void TestBatchSafety::otherFoldersStay() {
+  const BatchFolder folder;
+  QVERIFY(QDir(folder.at({})).mkdir(QStringLiteral("series")));
+  folder.write(QStringLiteral("series/thesis.txt"), "years of work");
+  folder.write(QStringLiteral("jobs"),
+               listOf({piece(QStringLiteral("convert"), QStringLiteral("series/"), {})}));
+  const Outcome a = folder.batch();
+  QCOMPARE(a.status, 1);
+  QVERIFY2(a.out.contains("is there already, and no list made it"), a.out);
+  QCOMPARE(folder.contents(QStringLiteral("series/thesis.txt")), QByteArray("years of work"));
+}
+
+void TestBatchSafety::aFullDiskIsSaid() {
+  const BatchFolder folder;
+  QVERIFY(QDir(folder.at({})).mkdir(QStringLiteral("disk")));
+  const QByteArray disk = folder.at(QStringLiteral("disk")).toUtf8();
+  MOUNT_DISK(disk.constData(), 0, "size=24k");
+  const auto unmount = qScopeGuard([&] { umount(disk.constData()); });
+  const QString big = QStringLiteral("disk/big.nrrd");
+  folder.write(QStringLiteral("jobs"),
+               listOf({smallPicture(QStringLiteral("disk/a.png")), piece(QStringLiteral("convert"), big),
+                       piece(QStringLiteral("convert"), QStringLiteral("disk/series/"), {}),
+                       smallPicture(QStringLiteral("b.png"))}));
+  const Outcome a = folder.batch();
+  QCOMPARE(a.status, 1);
+  const QMap<int, QString> ends = endsIn(a.out);
+  QVERIFY2(ends[1] == QLatin1String("done") && ends[2] == QLatin1String("failed") &&
+               ends[3] == QLatin1String("failed") && ends[4] == QLatin1String("done"),
+           a.out);
+  QVERIFY2(a.out.contains("No space left"), a.out);
+  QVERIFY(!QFile::exists(folder.at(big)) && !QFile::exists(folder.at(QStringLiteral("disk/series"))));
+}
+
+VOLUMEN_TEST(TestBatchSafety);
+#include "tst_batch_safety.moc"
