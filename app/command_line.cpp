@@ -10,6 +10,7 @@
 #include "app/open_volume.h"
 #include "app/startable_threads.h"
 #include "app/usage.h"
+#include "app/version.h"
 #include "io/frame_limit.h"
 #include "io/paths/open_path.h"
 #include "io/worker/worker.h"
@@ -89,7 +90,7 @@ CommandLine::CommandLine(const CancelToken& cancel)
   app_.require_subcommand(0, 1);  // else words of a search would be commands, too
   app_.formatter(std::make_shared<HelpFormatter>());
   app_.set_help_flag("-h,--help", "Show this help; `volumen COMMAND --help` shows that of a command");
-  app_.set_version_flag("--version", "volumen " VOLUMEN_VERSION, "Show the version");
+  app_.set_version_flag("--version", versionText(), "Show version, revision and CPU target");
   addListPresets(app_);
   addExamples(app_, {"volumen scans/", "volumen render scans/ --preset CT-Bone -o bone.png"});
   app_.footer(
