@@ -11,7 +11,8 @@ thorough=
 [ "${1:-}" != --thorough ] || { thorough=1; shift; }
 preset=${1:-release}
 
-install_packages "${build_packages[@]}" "${run_packages[@]}" xvfb xauth libxtst6 dcmtk orthanc orthanc-dicomweb openssl dicom3tools poppler-utils python3-pydicom python3-numpy fonts-noto-core fonts-cantarell munge slurmctld slurmd slurm-client parallel
+install_packages "${build_packages[@]}" "${run_packages[@]}" xvfb xauth libxtst6 dcmtk orthanc orthanc-dicomweb openssl dicom3tools poppler-utils python3-pydicom python3-numpy fonts-noto-core fonts-cantarell \
+  dpkg-dev file lintian xdg-utils desktop-file-utils shared-mime-info libglib2.0-bin munge slurmctld slurmd slurm-client parallel
 build "$preset"
 
 [ -e "${VOLUMEN_DATA:-$top/../shared/data}/MANIFEST.tsv" ] ||
