@@ -7,6 +7,7 @@
 #include <system_error>
 
 #include "app/printable.h"
+#include "app/version.h"
 #include "io/files/output_file.h"
 #include "io/files/preset_files.h"
 #include "io/paths/open_path.h"
@@ -86,7 +87,9 @@ std::string Stamps::of(const Piece& piece) {
   StampJson words = StampJson::array(), files = StampJson::array();
   for (const std::string& word : piece.words) words.push_back(pathForJson(word));
   for (const std::string& path : read) files.push_back(filesAt(path));
-  return StampJson{{"version", VOLUMEN_VERSION}, {"command", words}, {"files", files}}.dump();
+  return StampJson{
+      {"version", std::string(VOLUMEN_VERSION) + " " + revision}, {"command", words}, {"files", files}}
+      .dump();
 }
 
 bool isDone(const Piece& piece, const std::string& stamp) {

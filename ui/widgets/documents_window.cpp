@@ -20,7 +20,8 @@ const QStringList pages{
     QStringLiteral("accuracy.md"), QStringLiteral("performance.md"), QStringLiteral("picture.md"),
     QStringLiteral("slices.md"),   QStringLiteral("measure.md"),     QStringLiteral("segment.md"),
     QStringLiteral("export.md"),   QStringLiteral("protocols.md"),   QStringLiteral("tasks.md"),
-    QStringLiteral("install.md"),  QStringLiteral("design.md"),      QStringLiteral("kernels.md")};
+    QStringLiteral("cluster.md"),  QStringLiteral("install.md"),     QStringLiteral("design.md"),
+    QStringLiteral("kernels.md")};
 
 // Returns the first heading of a page.
 QString titleOf(const QString& page) {

@@ -6,7 +6,7 @@
 namespace volumen {
 
 /// Returns the number of threads this process may use: the CPU affinity mask limited by the cgroup's CPU
-/// quota, at least 1.
+/// quota and by what a task of a Slurm job has (SLURM_CPUS_PER_TASK), at least 1.
 int allowedThreads();
 
 /// Calls work(begin, end) on disjoint parts of [0, count), on `threads` threads (0: all allowed). Parts are
