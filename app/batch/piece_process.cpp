@@ -88,9 +88,10 @@ std::string wholeOf(int fd) {
 
 }  // namespace
 
-PieceProcess::PieceProcess(const std::vector<Piece>& pieces, std::uint64_t mostBytes,
+PieceProcess::PieceProcess(const std::vector<Piece>& pieces, const PieceLimits& limits,
                            const CancelToken& cancel)
-    : cancel_(cancel),
+    : limits_(limits),
+      cancel_(cancel),
       out_(memfd_create("stdout", MFD_CLOEXEC)),
       error_(memfd_create("stderr", MFD_CLOEXEC)) {
   int ends[2] = {-1, -1};
@@ -107,7 +108,7 @@ PieceProcess::PieceProcess(const std::vector<Piece>& pieces, std::uint64_t mostB
                        dup2(out_.get(), STDOUT_FILENO) >= 0 && dup2(error_.get(), STDERR_FILENO) >= 0;
   if (!isReady) _exit(1);
   socket_ = {};
-  doPieces(pieces, theirs.get(), mostBytes, cancel);
+  doPieces(pieces, theirs.get(), limits.bytes, cancel);
 }
 
 PieceProcess::~PieceProcess() {
@@ -123,18 +124,23 @@ std::string PieceProcess::end() {
   }
   pid_ = -1;
   if (!isThere) return "could not be started";
+  if (isLate_) return "took longer than --timeout allows";
   if (WIFSIGNALED(status)) return "was ended by signal " + std::to_string(WTERMSIG(status));
   return "ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
-// Passes an interruption on.
+// Passes an interruption on, and ends what takes too long.
 bool PieceProcess::waitForAnswer() {
   constexpr int patienceMs = 200;
   pollfd answer{socket_.get(), POLLIN, 0};
+  const auto begin = std::chrono::steady_clock::now();
   for (bool isTold = false;;) {
     const int ready = poll(&answer, 1, patienceMs);
     if (ready > 0 || (ready < 0 && errno != EINTR)) return ready > 0;
     if (cancel_.cancelled() && !std::exchange(isTold, true)) kill(pid_, SIGTERM);
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+    isLate_ = limits_.seconds > 0 && taken.count() > limits_.seconds;
+    if (isLate_) kill(pid_, SIGKILL);
   }
 }
 

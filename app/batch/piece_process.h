@@ -22,13 +22,18 @@ struct PieceResult {
   std::string out, error;       ///< what it wrote to stdout and stderr
 };
 
+/// What a piece of work may take; 0: all there is.
+struct PieceLimits {
+  std::uint64_t bytes = 0;  ///< of memory (ulimit -d)
+  double seconds = 0;       ///< then its process is killed
+};
+
 /// A process that does pieces of work of one series, which it reads once. Whatever happens to it, the program
 /// goes on.
 class PieceProcess {
  public:
-  /// Forks. There must be no threads and no workers. `mostBytes` limits its memory (ulimit -d); 0: nothing
-  /// does.
-  PieceProcess(const std::vector<Piece>& pieces, std::uint64_t mostBytes, const CancelToken& cancel);
+  /// Forks. There must be no threads and no workers.
+  PieceProcess(const std::vector<Piece>& pieces, const PieceLimits& limits, const CancelToken& cancel);
   ~PieceProcess();
   PieceProcess(const PieceProcess&) = delete;
   PieceProcess& operator=(const PieceProcess&) = delete;
@@ -40,9 +45,11 @@ class PieceProcess {
   bool waitForAnswer();
   std::string end();
 
+  PieceLimits limits_;
   CancelToken cancel_;
   worker::Descriptor socket_, out_, error_;
   pid_t pid_ = -1;
+  bool isLate_ = false;
 };
 
 }  // namespace volumen

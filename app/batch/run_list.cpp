@@ -9,7 +9,6 @@
 #include <sstream>
 #include <system_error>
 
-#include "app/batch/piece_process.h"
 #include "app/batch/stamps.h"
 #include "app/command.h"
 #include "app/progress.h"
@@ -62,12 +61,8 @@ Piece madeAside(Piece piece) {
 
 class ListRun {
  public:
-  ListRun(std::size_t count, std::uint64_t mostBytes, const CancelToken& cancel)
-      : count_(count),
-        mostBytes_(mostBytes),
-        cancel_(cancel),
-        stamps_(cancel),
-        progress_(terminalProgress()) {}
+  ListRun(std::size_t count, const PieceLimits& limits, const CancelToken& cancel)
+      : count_(count), limits_(limits), cancel_(cancel), stamps_(cancel), progress_(terminalProgress()) {}
 
   void run(const std::vector<Piece>& group) {
     std::vector<Piece> asked, made;
@@ -82,7 +77,7 @@ class ListRun {
     }
     std::unique_ptr<PieceProcess> process;
     for (std::size_t n = 0; n < made.size() && !cancel_.cancelled(); ++n) {
-      if (!process) process = std::make_unique<PieceProcess>(made, mostBytes_, cancel_);
+      if (!process) process = std::make_unique<PieceProcess>(made, limits_, cancel_);
       clear(asked[n]);
       const PieceResult result = process->run(n);
       if (!result.exitStatus) process.reset();
@@ -164,7 +159,7 @@ class ListRun {
   }
 
   std::size_t count_, told_ = 0;
-  std::uint64_t mostBytes_;
+  PieceLimits limits_;
   CancelToken cancel_;
   Stamps stamps_;
   Progress progress_;
@@ -173,11 +168,11 @@ class ListRun {
 
 }  // namespace
 
-ListResult runList(const std::vector<std::vector<Piece>>& groups, std::uint64_t mostBytes,
+ListResult runList(const std::vector<std::vector<Piece>>& groups, const PieceLimits& limits,
                    const CancelToken& cancel) {
   std::size_t count = 0;
   for (const std::vector<Piece>& group : groups) count += group.size();
-  ListRun list(count, mostBytes, cancel);
+  ListRun list(count, limits, cancel);
   for (const std::vector<Piece>& group : groups)
     if (!cancel.cancelled()) list.run(group);
   endTerminalProgress();

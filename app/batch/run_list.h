@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cstdint>
-
+#include "app/batch/piece_process.h"
 #include "app/batch/shards.h"
 #include "viewer/volume/cancel.h"
 
@@ -17,8 +16,8 @@ struct ListResult {
 /// Does groups of pieces (dealt()), each in a process of its own, and writes a JSON object a line to stdout
 /// for each: how it ended, exit status, seconds, peak of memory, warnings, and the error that a picture
 /// states. A piece that is done (isDone()) is skipped. What happens to one piece costs its line alone. There
-/// must be no threads and no workers. `mostBytes` is that of PieceProcess.
-ListResult runList(const std::vector<std::vector<Piece>>& groups, std::uint64_t mostBytes,
+/// must be no threads and no workers. The limits are those of each piece.
+ListResult runList(const std::vector<std::vector<Piece>>& groups, const PieceLimits& limits,
                    const CancelToken& cancel);
 
 }  // namespace volumen

@@ -20,7 +20,7 @@ namespace {
 
 struct BatchOptions {
   std::string list, shard, gathered, words, typed, index;
-  std::uint64_t mostBytes = 0;
+  PieceLimits limits;
 };
 
 Result<std::string> textOfList(const std::string& path) {
@@ -65,7 +65,7 @@ int run(const BatchOptions& options, const CancelToken& cancel) {
   const auto pieces = readPieces(*text, commands);
   if (!pieces) return failUsage(pieces.message());
   worker::stop();  // each process of a piece has its own
-  const ListResult result = runList(dealt(*pieces, *shard), options.mostBytes, cancel);
+  const ListResult result = runList(dealt(*pieces, *shard), options.limits, cancel);
   const int status = statusOf(result);
   if (options.gathered.empty() || result.interrupted) return status;
   const Status gathered = gather(result.there, options.gathered);
@@ -84,10 +84,14 @@ std::function<int()> makeBatch(CLI::App& app, const CancelToken& cancel) {
   app.add_option("--shard", options->shard,
                  "Do the I-th of N parts of the list (default: that of the Slurm array, else all)")
       ->type_name("I/N");
-  app.add_option("--max-memory", options->mostBytes,
+  app.add_option("--max-memory", options->limits.bytes,
                  "Memory that a piece of work may take, such as 4G (default: all there is)")
-      ->transform(CLI::AsSizeValue(false))
+      ->transform(CLI::AsSizeValue(false).description(""))
       ->type_name("BYTES");
+  number(app.add_option("--timeout", options->limits.seconds,
+                        "Seconds that a piece of work may take (default: as long as it takes)")
+             ->type_name("SECONDS"),
+         1, 1e6);
   app.add_option("--gather", options->gathered, "Join the tables (.csv) of all pieces into this one")
       ->type_name("FILE");
   app.add_option(
@@ -98,10 +102,8 @@ std::function<int()> makeBatch(CLI::App& app, const CancelToken& cancel) {
                  "The command for each of these studies, without PATH; {out} becomes a name for its files")
       ->type_name("COMMAND");
   addIndex(app, options->index);
-  addExamples(
-      app,
-      {"volumen batch jobs.jsonl --shard 3/20",
-       "volumen batch --from-index 'ct chest' --do 'segment --recipe bone --csv {out}.csv' > jobs.jsonl"});
+  addExamples(app, {"volumen batch jobs.jsonl --shard 3/20",
+                    "volumen batch --from-index ct --do \"segment --recipe bone --csv {out}.csv\""});
   return [options, cancel] { return run(*options, cancel); };
 }
 

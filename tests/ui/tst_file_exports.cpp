@@ -46,7 +46,8 @@ struct ExportWindow : MarkedWindow {
     QStringList all;
     for (int n = 0; box && n < box->count(); ++n) all << box->itemText(n);
     QTest::keyClick(child<QDialog>("exportDialog"), Qt::Key_Escape);
-    return all;
+    // A closed dialog would be found in place of the next one.
+    return QTest::qWaitFor([&] { return !child<QDialog>("exportDialog"); }, longest) ? all : QStringList();
   }
   void answerWith(const QString& folder) {
     click("exportButton");
@@ -387,12 +388,13 @@ void TestFileExports::aDiskThatTakesNothingIsSaid() {
   const QStringList before = files();
   for (const ViewId view : {axialViewId, sceneViewId}) {
     w.session().setFocus(view);
+    QVERIFY(w.idle());
     const QStringList choices = w.choices();
     QVERIFY(choices.size() > 6);
     for (const QString& choice : choices) {
       auto* banner = w.child<QWidget>("banner");
       banner->hide();
-      QVERIFY(w.ask(qPrintable(choice)));
+      QVERIFY2(w.ask(qPrintable(choice)), qPrintable(choice));
       w.answerWith(disk.path());
       QTRY_VERIFY2_WITH_TIMEOUT(banner->isVisible(), qPrintable(choice), longest);
       QVERIFY(w.idle());

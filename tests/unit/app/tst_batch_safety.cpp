@@ -20,6 +20,7 @@ class TestBatchSafety : public QObject {
   void aPoisonedPieceCostsItsLine();
   void aKilledProcessCostsItsLine();
   void littleMemoryIsSaid();
+  void whatTakesTooLongIsEnded();
   void twoProgramsMayDoOneList();
   void killedProgramsLeaveNothingHalf();
   void interruptionsLeaveNothingHalf();
@@ -141,6 +142,19 @@ void TestBatchSafety::littleMemoryIsSaid() {
   QMap<int, QString> ends{{1, QStringLiteral("done")}, {2, QStringLiteral("failed")}};
   QCOMPARE(endsIn(a.out), ends);
   QVERIFY2(lineIn(a.out, 2)[QStringLiteral("exit")].toInt() == 1 && a.out.contains("memory"), a.out);
+}
+
+void TestBatchSafety::whatTakesTooLongIsEnded() {
+  const BatchFolder folder;
+  const QJsonObject slow = piece(QStringLiteral("render"), QStringLiteral("a.png"),
+                                 {{QStringLiteral("method"), QStringLiteral("reference")},
+                                  {QStringLiteral("size"), QStringLiteral("4096x4096")}});
+  folder.write(QStringLiteral("jobs"), listOf({slow, smallPicture(QStringLiteral("b.png"))}));
+  const Outcome a = folder.batch({QStringLiteral("--timeout"), QStringLiteral("1")});
+  QCOMPARE(a.status, 1);
+  const QMap<int, QString> ends{{1, QStringLiteral("failed")}, {2, QStringLiteral("done")}};
+  QCOMPARE(endsIn(a.out), ends);
+  QVERIFY2(a.out.contains("Its process took longer than --timeout allows."), a.out);
 }
 
 void TestBatchSafety::twoProgramsMayDoOneList() {

@@ -109,7 +109,7 @@ void TestManual::initTestCase() {
     QFile file(folder_.filePath(QLatin1String(name)));
     return file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
   };
-  QVERIFY(write("scene.json", "{}"));
+  QVERIFY(write("scene.json", "{}") && write("jobs.jsonl", ""));
   QVERIFY(write("shapes.json", R"([{"kind": "length", "points": [[0, 0, 0], [10, 0, 0]]}])"));
   qputenv("XDG_CONFIG_HOME", folder_.path().toUtf8());
   QVERIFY(QDir(folder_.path()).mkdir(QStringLiteral("volumen")));

@@ -56,7 +56,7 @@ void TestUsage::whatIsMistypedIsToldAtOnce_data() {
   row("rendre x", 2,
       "Unknown command \"rendre\". Did you mean render? Commands: open, render, slice, info, import, list, "
       "archive, "
-      "forget, convert, export, segment, compare, measure, accuracy, bench (plain `volumen` opens the "
+      "forget, convert, export, segment, compare, measure, batch, accuracy, bench (plain `volumen` opens the "
       "window).");
   row("draw", 2, "Unknown command \"draw\". Commands: open");
   // PATH /nowhere does not exist, so these options must be checked before it.
