@@ -39,6 +39,8 @@ std::uint64_t peakOfMemory() {
   std::uint64_t kibibytes = 0;
   for (std::string word; status >> word;)
     if (word == "VmHWM:") status >> kibibytes;
+  rusage use{};  // of the whole process, where there is no /proc
+  if (kibibytes == 0 && getrusage(RUSAGE_SELF, &use) == 0) kibibytes = std::uint64_t(use.ru_maxrss);
   return kibibytes * 1024;
 }
 
