@@ -12,6 +12,8 @@ std::vector<KeyRow> keyRows() {
       {tr("Middle, right, Shift+left drag in 3D"), tr("pan, zoom, pan (Edit > Preferences changes them)")},
       {tr("Wheel in 3D, two fingers apart"), tr("zoom at the cursor")},
       {tr("Double-click"), tr("maximise the view and back")},
+      {tr("Left drag by the arrow in a view"),
+       tr("gives its picture to a folder or another program, as a PNG file")},
       {tr("D in 3D"),
        tr("measure a length between places of the visible surface, by a drag or two clicks (an angle: Tools "
           "> "

@@ -1,4 +1,7 @@
+#include <QDrag>
+
 #include "results/text/text.h"
+#include "ui/exports/dragged_pictures.h"
 #include "ui/exports/views_picture.h"
 #include "ui/features/exporting.h"
 #include "ui/views/view_grid.h"
@@ -7,7 +10,9 @@ namespace volumen {
 
 namespace {
 
-// Copies or saves the view in focus or all views as they appear on screen.
+MadePicture pictureOf(const View& view) { return {view.capture(), plainPictureText(view.warningsShown())}; }
+
+// Copies or saves the view in focus or all views as they appear on screen. Starts drags of a view's picture.
 class ViewPictures : public ExportFeature {
  public:
   explicit ViewPictures(Workbench& bench);
@@ -15,6 +20,9 @@ class ViewPictures : public ExportFeature {
  private:
   PictureMakerPtr seen(bool isAll) const;
   void save(const PictureMakerPtr& seen, const QString& title);
+  void dragOut(View* view);
+
+  DraggedPictures dragged_;
 };
 
 ViewPictures::ViewPictures(Workbench& bench) : ExportFeature(bench) {
@@ -32,13 +40,13 @@ ViewPictures::ViewPictures(Workbench& bench) : ExportFeature(bench) {
   add("saveAllPictures", tr("Save all views..."), {}, "", true, tr("Save the picture of all views"),
       {{"fileMenu", 50, 10}});
   add("copyAllPictures", tr("Copy all views"), {tr("Ctrl+Shift+C")}, "", true, {}, {{"fileMenu", 50, 10}});
+  connect(&grid_, &ViewGrid::pictureDragged, this, &ViewPictures::dragOut);
 }
 
 PictureMakerPtr ViewPictures::seen(bool isAll) const {
   View* view = grid_.viewShown();
   return viewsPicture(isAll ? grid_.viewsSeen() : std::vector{view}, session_, [this, isAll, view] {
-    return isAll ? MadePicture{grid_.capture(), plainPictureText(grid_.warningsShown())}
-                 : MadePicture{view->capture(), plainPictureText(view->warningsShown())};
+    return isAll ? MadePicture{grid_.capture(), plainPictureText(grid_.warningsShown())} : pictureOf(*view);
   });
 }
 
@@ -49,6 +57,23 @@ void ViewPictures::save(const PictureMakerPtr& seen, const QString& title) {
              [this, seen](const QString& path) {
                run({JobName(tr("Saving"), path), seen, pictureFile(path)});
              });
+}
+
+// A drag cannot wait for a picture that is being drawn.
+void ViewPictures::dragOut(View* view) {
+  constexpr QSize underPointer(160, 160);
+  const Series* series = seriesIn(session_.workspace(), view->id());
+  if (!series) return;
+  if (!view->hasItsPicture()) return warn(tr("The picture is still being drawn: drag it again in a moment."));
+  const MadePicture picture = pictureOf(*view);
+  auto carried = dragged_.carry(picture, fileName(*series));
+  if (!carried) return warn(QString::fromStdString(carried.message()));
+  takeBack();
+  auto* drag = new QDrag(view);
+  drag->setMimeData(carried->release());
+  drag->setPixmap(
+      QPixmap::fromImage(picture.image.scaled(underPointer, Qt::KeepAspectRatio, Qt::SmoothTransformation)));
+  drag->exec(Qt::CopyAction);
 }
 
 }  // namespace

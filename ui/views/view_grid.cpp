@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "ui/views/drag_handle.h"
 #include "ui/workspace/when_changed.h"
 
 namespace volumen {
@@ -157,6 +158,7 @@ void ViewGrid::connectView(View* view) {
   connect(view, &View::dropped, this, &ViewGrid::dropped);
   connect(view, &View::menuRequested, this,
           [this, view](QPoint global) { Q_EMIT menuRequested(view, global); });
+  connect(new DragHandle(*view), &DragHandle::dragged, this, [this, view] { Q_EMIT pictureDragged(view); });
   view->installEventFilter(this);
 }
 

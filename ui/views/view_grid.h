@@ -82,6 +82,8 @@ class ViewGrid : public QWidget {
   void maximiseRequested();
   void hovered(const QString& text);
   void dropped(const QMimeData& data);
+  /// The picture of this view is being dragged out of it.
+  void pictureDragged(volumen::View* view);
   void menuRequested(volumen::View* view, QPoint global);
   void toolChanged();
   /// setAlone() has changed what isAlone() returns.
