@@ -41,7 +41,9 @@ const Options captureOptions = joined({"--frame-ms"}, sceneOptions);
 std::span<const ExportFormat> exportFormats() {
   static const Options ofOther = joined(overlayOptions, relationOptions);
   static const Options ofSeries =
-      joined(joined({"--series", "--size", "--spacing", "--window", "--onto", "--onto-series"}, planeOptions),
+      joined(joined({"--series", "--size", "--spacing", "--window", "--onto", "--onto-series",
+                     "--remove-table", "--segments", "--without-segments"},
+                    planeOptions),
              ofOther);
   static const Options ofPictures = joined({"--series", "--size", "--window"}, planeOptions);
   static const Options ofCapture = joined(joined({"--rle"}, ofPictures), joined(captureOptions, ofOther));
@@ -64,8 +66,9 @@ std::span<const ExportFormat> exportFormats() {
       {"seg", "segments as a DICOM segmentation", {"--segments"}, {"--series"}, exportSegmentation},
       {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
       {"series",
-       "slices along a plane, fused with an overlay, on the grid of another series, or without a face, as a "
-       "DICOM series, into a folder",
+       "slices along a plane, fused with an overlay, on the grid of another series, or with parts taken "
+       "away, "
+       "as a DICOM series, into a folder",
        {},
        ofSeries,
        exportSeries,
@@ -130,11 +133,11 @@ Status checkOther(const CLI::App& app, const ExportJob& job) {
   return refused(placing, " does not go with --onto: the other series says where the slices lie.");
 }
 
-Status settlePlane(const CLI::App& app, ExportJob& job) {
+Status settlePlane(const CLI::App& app, const ExportFormat& format, ExportJob& job) {
   const auto given = [&](const char* option) { return isGiven(app, option); };
   if (given("--size")) job.plane.size = job.scene.size;
   job.hasPlane = std::ranges::any_of(planeOptions, given);
-  if (!job.hasPlane) return {};
+  if (!job.hasPlane || !has(format.takes, "--scene")) return {};
   const auto ofScene = std::ranges::find_if(captureOptions, given);
   if (ofScene == captureOptions.end()) return {};
   return Error{std::string(*ofScene) + " is for 3D pictures: leave it or the options of the plane out."};
@@ -156,12 +159,16 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
   app.add_option("--segments", job.segments,
                  "Of seg, rtstruct, stl: a file of segments, as for `volumen measure`; of sr: a DICOM "
                  "segmentation whose "
-                 "numbers to report")
+                 "numbers to report; of series: all outside of these segments becomes air")
       ->type_name("FILE");
+  app.add_flag("--without-segments", job.withoutSegments,
+               "Of series: what lies in the segments becomes air, all else stays")
+      ->needs("--segments");
   app.add_option("--pdf", job.pdf, "Of pdf: the PDF file")->type_name("FILE");
   addSeries(app, job.series);
   app.add_flag("--remove-table", job.removeTable,
-               "Of sc and films in 3D: CT: draw the patient alone, without table, cushions and cables");
+               "Of sc and films in 3D: CT: draw the patient alone, without table, cushions and cables; of "
+               "series: these become air");
   addSceneOptions(app, job.scene);
   app.get_option("--size")->description(
       "Picture size in pixels, WIDTHxHEIGHT (default: 512x512 in 3D, all of the volume for slices)");

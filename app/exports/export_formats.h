@@ -34,6 +34,6 @@ Status checkOther(const CLI::App& app, const ExportJob& job);
 
 /// Completes a job: whether it shows a plane, and that plane's size. The Error (wrong usage): an option of 3D
 /// pictures is given beside a plane.
-Status settlePlane(const CLI::App& app, ExportJob& job);
+Status settlePlane(const CLI::App& app, const ExportFormat& format, ExportJob& job);
 
 }  // namespace volumen

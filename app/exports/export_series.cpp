@@ -4,6 +4,7 @@
 #include "app/exports/export_fused.h"
 #include "app/exports/exports.h"
 #include "app/exports/plane_stack.h"
+#include "app/exports/taken_parts.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
 #include "io/export/dicom_folder.h"
@@ -22,15 +23,25 @@ std::string outsideNote(float outside, const Opened& opened) {
          (isPadding ? "the padding value" : "the lowest value") + ", " + nlohmann::json(outside).dump() + ".";
 }
 
+// A series to write, and what becomes of it.
+struct SeriesSource {
+  Opened opened;
+  int seriesNumber;
+  std::optional<TakenAway> without{};
+};
+
 using TagsOf = std::function<DicomSeriesTags(DicomSeriesTags ofSource)>;
 
 // Writes what was made of a series.
-Result<Exported> writeMade(const ExportJob& job, Opened& opened, const StackVolume& made,
+Result<Exported> writeMade(const ExportJob& job, SeriesSource& source, const StackVolume& made,
                            const TagsOf& tagsOf, const CancelToken& cancel) {
   const Progress progress = terminalProgress();
-  auto tags = readDicomTags(opened.series, opened.loaded, progress, cancel);
-  if (!tags) return tags.error();
-  const auto notes = writeDicomSeries(*made.volume, tagsOf(*std::move(tags)), job.output, progress, cancel);
+  Opened& opened = source.opened;
+  auto read = readDicomTags(opened.series, opened.loaded, progress, cancel);
+  if (!read) return read.error();
+  DicomSeriesTags tags = tagsOf(*std::move(read));
+  if (source.without) tags = tagsWithout(*source.without, std::move(tags), source.seriesNumber);
+  const auto notes = writeDicomSeries(*made.volume, tags, job.output, progress, cancel);
   endTerminalProgress();
   if (!notes) return notes.error();
   Exported exported{std::move(opened.notes), opened.loaded.unread, {}};
@@ -39,23 +50,29 @@ Result<Exported> writeMade(const ExportJob& job, Opened& opened, const StackVolu
   return exported;
 }
 
-Result<Exported> writeStack(const ExportJob& job, const SliceStack& stack, Opened opened, int seriesNumber,
+Result<Exported> writeStack(const ExportJob& job, const SliceStack& stack, SeriesSource source,
                             const CancelToken& cancel) {
-  const auto made = resampleStack(*opened.loaded.drawn, stack, terminalProgress(), cancel);
+  const auto made = resampleStack(*source.opened.loaded.drawn, stack, terminalProgress(), cancel);
   if (!made) return made.error();
   const auto tagsOf = [&](DicomSeriesTags tags) {
-    return stackTags(std::move(tags), opened.loaded, stack, seriesNumber);
+    return stackTags(std::move(tags), source.opened.loaded, stack, source.seriesNumber);
   };
-  return writeMade(job, opened, *made, tagsOf, cancel);
+  return writeMade(job, source, *made, tagsOf, cancel);
 }
 
-Result<Exported> writeDefaced(const ExportJob& job, Opened opened, int seriesNumber,
-                              const CancelToken& cancel) {
-  noteKeptTilt(opened);
-  const auto without = defaced(*opened.loaded.drawn, cancel);
+// Writes the slices as they are, but for the parts that were taken away.
+Result<Exported> writeOwnGrid(const ExportJob& job, SeriesSource source, const CancelToken& cancel) {
+  noteKeptTilt(source.opened);
+  const auto tagsOf = [](DicomSeriesTags tags) { return tags; };
+  return writeMade(job, source, StackVolume{source.opened.loaded.drawn, {}}, tagsOf, cancel);
+}
+
+Result<Exported> writeDefaced(const ExportJob& job, SeriesSource source, const CancelToken& cancel) {
+  noteKeptTilt(source.opened);
+  const auto without = defaced(*source.opened.loaded.drawn, cancel);
   if (!without) return without.error();
-  const auto tagsOf = [&](DicomSeriesTags tags) { return defacedTags(std::move(tags), seriesNumber); };
-  auto exported = writeMade(job, opened, StackVolume{*without, {}}, tagsOf, cancel);
+  const auto tagsOf = [&](DicomSeriesTags tags) { return defacedTags(std::move(tags), source.seriesNumber); };
+  auto exported = writeMade(job, source, StackVolume{*without, {}}, tagsOf, cancel);
   if (exported)
     exported->notes.emplace_back(
         "The face was taken away, and the air in front of it. Look at a rendering before you hand it on.");
@@ -76,27 +93,42 @@ Result<OtherGrid> otherGrid(const ExportJob& job, Opened& opened, const CancelTo
   return OtherGrid{placed, other->series, relation->words};
 }
 
-Result<Exported> writeOnto(const ExportJob& job, Opened opened, int seriesNumber, const CancelToken& cancel) {
-  const auto grid = otherGrid(job, opened, cancel);
+Result<Exported> writeOnto(const ExportJob& job, SeriesSource source, const CancelToken& cancel) {
+  const auto grid = otherGrid(job, source.opened, cancel);
   if (!grid) return grid.error();
-  const auto made = resampleOnGrid(*opened.loaded.drawn, *grid, terminalProgress(), cancel);
+  const auto made = resampleOnGrid(*source.opened.loaded.drawn, *grid, terminalProgress(), cancel);
   if (!made) return made.error();
   const auto tagsOf = [&](DicomSeriesTags tags) {
-    return gridTags(std::move(tags), opened.loaded, *grid, seriesNumber);
+    return gridTags(std::move(tags), source.opened.loaded, *grid, source.seriesNumber);
   };
-  return writeMade(job, opened, *made, tagsOf, cancel);
+  return writeMade(job, source, *made, tagsOf, cancel);
 }
+
+Result<Exported> exportStack(const ExportJob& job, const AskedPlane& asked, SeriesSource source,
+                             const CancelToken& cancel) {
+  noteEvenSlices(job.plane, source.opened);
+  const auto stack = planeStack(job, asked, source.opened.loaded.drawn->geometry());
+  if (!stack) return stack.error();
+  return job.overlay.isGiven()
+             ? exportFused(job, *stack, std::move(source.opened), source.seriesNumber, cancel)
+             : writeStack(job, *stack, std::move(source), cancel);
+}
+
+bool hasStack(const ExportJob& job) { return job.hasPlane || job.spacingMm || !job.plane.size.empty(); }
 
 }  // namespace
 
 Status checkSeries(const ExportJob& job) {
   if (!job.window.empty() && !job.overlay.isGiven())
     return Error{"--window does not go with --as series without --overlay: its values are kept."};
-  const bool hasStack = job.hasPlane || job.spacingMm || !job.plane.size.empty();
-  if (job.deface && (hasStack || job.isOnto() || job.overlay.isGiven()))
+  if (job.deface && (hasStack(job) || job.isOnto() || job.overlay.isGiven()))
     return Error{
         "--deface writes the slices as they are: leave --onto, --overlay, --spacing, --size and the options "
         "of the plane out."};
+  if (job.takesAway() && (job.deface || job.overlay.isGiven()))
+    return Error{
+        "--remove-table and --segments do not go with --deface and --overlay: write one series, then the "
+        "other of what was written."};
   return checkWindows(job);
 }
 
@@ -106,17 +138,20 @@ Result<Exported> exportSeries(const ExportJob& job, const CancelToken& cancel) {
   if (Status s = checkDicomFolder(job.output); !s) return s.error();
   const Result<Study> study = openStudyAt(job.path, cancel);
   if (!study) return study.error();
-  auto opened = openVolume(*study, job.path, job.series, cancel);
+  auto opened = openVolume(*study, job.path, job.series, cancel, job.takesAway() ? segmenting : MemoryUse{});
   if (!opened) return opened.error();
   if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
   const int seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
-  if (job.deface) return writeDefaced(job, *std::move(opened), seriesNumber, cancel);
-  if (job.isOnto()) return writeOnto(job, *std::move(opened), seriesNumber, cancel);
-  noteEvenSlices(job.plane, *opened);
-  const auto stack = planeStack(job, *asked, opened->loaded.drawn->geometry());
-  if (!stack) return stack.error();
-  return job.overlay.isGiven() ? exportFused(job, *stack, *std::move(opened), seriesNumber, cancel)
-                               : writeStack(job, *stack, *std::move(opened), seriesNumber, cancel);
+  SeriesSource source{*std::move(opened), seriesNumber};
+  if (job.takesAway()) {
+    auto taken = takePartsAway(job, source.opened, cancel);
+    if (!taken) return taken.error();
+    source.without = *std::move(taken);
+  }
+  if (job.deface) return writeDefaced(job, std::move(source), cancel);
+  if (job.isOnto()) return writeOnto(job, std::move(source), cancel);
+  if (job.takesAway() && !hasStack(job)) return writeOwnGrid(job, std::move(source), cancel);
+  return exportStack(job, *asked, std::move(source), cancel);
 }
 
 }  // namespace volumen

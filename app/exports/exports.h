@@ -29,6 +29,8 @@ struct ExportJob {
   double frameMs = 100;
   int framesPerSecond = 10;
   bool rle = false, timePoints = false, removeTable = false, deface = false;
+  bool withoutSegments = false;  ///< what lies in the segments is taken away, not all else
+  bool takesAway() const { return removeTable || !segments.empty(); }  ///< of a series
   bool isOnto() const { return !onto.empty() || !ontoSeries.empty(); }
 };
 

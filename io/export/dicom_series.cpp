@@ -125,12 +125,19 @@ Result<DicomSeriesTags> readDicomTags(const Series& series, const Loaded& loaded
   return tags;
 }
 
+DicomSeriesTags tagsWithout(const TakenAway& what, DicomSeriesTags all, int seriesNumber) {
+  const std::string& of = all.description;
+  all.description = inOneLine(what.title + (of.empty() ? of : ": " + of));
+  all.seriesNumber = std::to_string(seriesNumber);
+  all.takenAway = what.parts;
+  return all;
+}
+
 DicomSeriesTags defacedTags(DicomSeriesTags ofSource, int seriesNumber) {
-  const std::string& of = ofSource.description;
-  ofSource.description = inOneLine("Without face" + (of.empty() ? of : ": " + of));
-  ofSource.seriesNumber = std::to_string(seriesNumber);
-  ofSource.isDefaced = true;
-  return ofSource;
+  const TakenAway face{"Without face", "the face and the air in front of it"};
+  DicomSeriesTags tags = tagsWithout(face, std::move(ofSource), seriesNumber);
+  tags.isDefaced = true;
+  return tags;
 }
 
 Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const DicomSeriesTags& tags,

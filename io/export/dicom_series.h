@@ -38,9 +38,16 @@ struct DicomSeriesTags : SeriesIdentity {
   std::vector<SliceOrigin> origins;  ///< slices of the source that each slice of the volume comes from
   /// In place of `origins`, if slices lie on other planes. The series is then a new one each time.
   std::optional<Resampling> resampling;
-  /// The face was taken away (defaced()), in slices at the places of `origins`: said in the attributes meant
-  /// for it. The series is then a new one each time.
-  bool isDefaced = false;
+  /// What of the source is replaced by air, for DerivationDescription: "the table". Empty if nothing is; else
+  /// the series is a new one each time.
+  std::string takenAway;
+  bool isDefaced = false;  ///< `takenAway` is the face (defaced()): said in the attribute meant for it
+};
+
+/// What was taken away from a volume, in words.
+struct TakenAway {
+  std::string title;  ///< for SeriesDescription: "Without table"
+  std::string parts;  ///< for DerivationDescription, "with air in place of ...": "the table"
 };
 
 /// Returns the tags of an opened series; the patient of a phantom is "Volumen^Sample".
@@ -51,6 +58,8 @@ DicomSeriesTags dicomTags(const Series& series);
 Result<DicomSeriesTags> readDicomTags(const Series& series, const Loaded& loaded,
                                       const Progress& progress = {}, const CancelToken& cancel = {});
 
+/// Returns the tags of a series from which parts were taken away, as a new series of its study.
+DicomSeriesTags tagsWithout(const TakenAway& what, DicomSeriesTags all, int seriesNumber);
 /// Returns the tags of a loaded series whose face was taken away, as a new series of its study.
 DicomSeriesTags defacedTags(DicomSeriesTags ofSource, int seriesNumber);
 
@@ -60,12 +69,12 @@ DicomSeriesTags defacedTags(DicomSeriesTags ofSource, int seriesNumber);
 /// CT, MR and PET Image Storage; others, and PET without units, become Secondary Capture.
 /// Patient, study, equipment, frame of reference, acquisition and windows are kept from the source; each
 /// slice names its source images. UIDs derive from the contents, except for resampled slices and those
-/// without face: the same volume and tags give the same files. Values are exact; rescale and geometry have
-/// the 16 characters of a decimal string. PET slices that cannot be exact are rounded to 16 bits, and so are
-/// resampled ones, by one rescale for all slices unless they are PET. Slices may be oblique and sheared
-/// (gantry tilt). Returns notes for the user: how far values are rounded, what became a Secondary Capture.
-/// The Error: rows and columns are not perpendicular, the volume is not calibrated, it holds doses, or its
-/// real values are not exact in 16 bits.
+/// of which parts were taken away: the same volume and tags give the same files. Values are exact; rescale
+/// and geometry have the 16 characters of a decimal string. PET slices that cannot be exact are rounded to 16
+/// bits, and so are resampled ones, by one rescale for all slices unless they are PET. Slices may be oblique
+/// and sheared (gantry tilt). Returns notes for the user: how far values are rounded, what became a Secondary
+/// Capture. The Error: rows and columns are not perpendicular, the volume is not calibrated, it holds doses,
+/// or its real values are not exact in 16 bits.
 Result<std::vector<std::string>> writeDicomSeries(const Volume& volume, const DicomSeriesTags& tags,
                                                   const std::string& folder, const Progress& progress = {},
                                                   const CancelToken& cancel = {});

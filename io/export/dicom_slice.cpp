@@ -158,7 +158,7 @@ DicomSliceWriter::DicomSliceWriter(const Volume& volume, const DicomSeriesTags& 
     : volume_(volume),
       tags_(tags),
       uids_(volume, tags.patientId + tags.description + tags.seriesUid + tags.bValue +
-                        (tags.resampling || tags.isDefaced ? randomUid() : "")) {
+                        (tags.resampling || !tags.takenAway.empty() ? randomUid() : "")) {
   if (!tags.source.slices.empty()) first_ = tags.source.file(0).elements;
   isPet_ = volume.attributes().modality == "PT" && !valueOf(first_, units).empty();
   identity_ = identityElements();
@@ -289,11 +289,11 @@ std::string DicomSliceWriter::imageType(const std::string& ofSource) const {
 
 DicomElements DicomSliceWriter::derivationOf(int k, const StoredSlice& pixels) const {
   const std::vector<int> sources = sourcesOf(k);
-  if (sources.empty() && !tags_.resampling) return {};
+  if (sources.empty() && !tags_.resampling && tags_.takenAway.empty()) return {};
   std::string words = sources.size() > 1 ? "Interpolated between the source images"
                                          : "Values and place as in the source image";
   if (tags_.resampling) words = tags_.resampling->words;
-  if (tags_.isDefaced) words += ", except that the face and the air in front of it are replaced by air";
+  if (!tags_.takenAway.empty()) words += ", with air in place of " + tags_.takenAway;
   char off[96] = "";
   if (pixels.largestError > 0)
     std::snprintf(off, sizeof off, ", rounded to 16 bits (at most %.3g off)", pixels.largestError);
@@ -320,7 +320,7 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
   append(all, placeElements(volume_.geometry(), k));
   append(all, derivationOf(k, pixels));
   append(all, padding(volume_, pixels));
-  if (tags_.resampling || tags_.isDefaced)
+  if (tags_.resampling || !tags_.takenAway.empty())
     append(all, {{0x0008103e, tags_.description}, {0x00200011, tags_.seriesNumber}});
   if (tags_.resampling) all.push_back({0x00180050, decimal(tags_.resampling->thicknessMm)});
   if (tags_.isDefaced) all.push_back({0x00280302, "NO"});
