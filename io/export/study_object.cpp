@@ -145,12 +145,15 @@ void putInStudy(const DicomElements& ofStudy, const std::string& characterSet, c
 }
 
 std::string firstCharacters(const std::string& text, std::size_t most) {
-  std::size_t characters = 0, end = 0;
-  for (; end < text.size(); ++end) {
-    characters += (static_cast<unsigned char>(text[end]) & 0xc0) != 0x80;
+  std::string first;
+  std::size_t characters = 0;
+  for (const char c : text) {
+    characters += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
     if (characters > most) break;
+    const bool endsLine = c == '\n' || c == '\r';
+    first += (static_cast<unsigned char>(c) < 0x20 && !endsLine) || c == 0x7f ? ' ' : c;
   }
-  return text.substr(0, end);
+  return first;
 }
 
 DicomElements references(std::uint32_t sequence, std::span<const SourcePicture> pictures, int depth) {

@@ -58,7 +58,8 @@ std::vector<SourcePicture> picturesOf(const DicomSource& source, std::span<const
 void putInStudy(const DicomElements& ofStudy, const std::string& characterSet, const std::string& studyUid,
                 const DicomElements& made, DcmItem& into);
 
-/// Returns a text cut to a number of characters: 16 in VR SH, 1024 in VR ST.
+/// Returns a text cut to a number of characters (16 in VR SH, 1024 in VR ST). Control characters other than
+/// ends of lines become blanks.
 std::string firstCharacters(const std::string& text, std::size_t most);
 
 /// Returns a sequence of references to instances, each an item with class, instance and frame.

@@ -4,6 +4,7 @@
 #include <glm/geometric.hpp>
 
 #include "results/numbers/report_codes.h"
+#include "results/text/text.h"
 
 namespace volumen {
 
@@ -48,11 +49,11 @@ const char* toolOf(ShapeKind kind) {
   }
 }
 
-std::string trackingIdOf(const Shape& shape) {
-  const char* tool = toolOf(shape.kind);
-  const std::string id = tool ? std::string("Cornerstone3DTools@^0.1.0:") + tool
-                              : std::string("volumen:") + ruleOf(shape.kind).name;
-  return shape.name.empty() ? id : id + ":" + shape.name;
+std::string trackingIdOf(ShapeKind kind, const std::string& name) {
+  const char* tool = toolOf(kind);
+  const std::string id =
+      tool ? std::string("Cornerstone3DTools@^0.1.0:") + tool : std::string("volumen:") + ruleOf(kind).name;
+  return name.empty() ? id : id + ":" + name;
 }
 
 /// Builds the group of one shape.
@@ -65,8 +66,9 @@ class ShapeReporter {
         mm_(shape.frame ? glm::dvec3(on.pixelMm, 1) : glm::dvec3(1)) {}
 
   Result<MeasurementGroup> run() {
-    group_.trackingId = trackingIdOf(shape_);
-    if (!shape_.name.empty()) group_.finding = {"label", "99VOLUMEN", shape_.name};
+    const std::string name = shownText(shape_.name).toStdString();
+    group_.trackingId = trackingIdOf(shape_.kind, name);
+    if (!name.empty()) group_.finding = {"label", "99VOLUMEN", name};
     addNumbers();
     if (problem_) return *problem_;
     const bool isInPatient = std::ranges::any_of(group_.measurements, [](const ReportMeasurement& m) {

@@ -14,7 +14,7 @@ constexpr const char* shapesLayer = "MEASUREMENTS";
 // Returns the name of a shape, and its number below.
 std::string wordsOf(const Shape& shape, const std::optional<Measured>& measured) {
   QStringList lines;
-  if (!shape.name.empty()) lines << shownText(shape.name);
+  if (const QString name = shownText(shape.name); !name.isEmpty()) lines << name;
   if (measured) lines << measuredLines(shape, *measured);
   return lines.join(QStringLiteral("\r\n")).toStdString();
 }

@@ -65,21 +65,41 @@ struct NamedSlices {
   std::string out() const { return folder.path("out.dcm"); }
 };
 
-/// Adds columns of character sets and of names in bytes of them.
+/// Adds columns of character sets, of names in bytes of them, and of the same names in UTF-8.
 inline void addNames() {
   QTest::addColumn<QByteArray>("set");
   QTest::addColumn<QByteArray>("name");
-  QTest::newRow("ASCII") << QByteArray() << QByteArray("Doe^Jane");
-  QTest::newRow("Latin-1") << QByteArray("ISO_IR 100")
-                           << QByteArray(
-                                  "Nu\xf1"
-                                  "ez^Ren\xe9");
-  QTest::newRow("Japanese") << QByteArray("\\ISO 2022 IR 87")
-                            << QByteArray("Yamada^Tarou=\x1b$B;3ED\x1b(B^\x1b$BB@O:\x1b(B");
-  QTest::newRow("Korean") << QByteArray("\\ISO 2022 IR 149")
-                          << QByteArray("Hong^Gildong=\x1b$)C\xfb\xf3^\x1b$)C\xd1\xce\xd4\xd7");
-  QTest::newRow("UTF-8") << QByteArray("ISO_IR 192")
-                         << QByteArray("Wang^XiaoDong=\xe7\x8e\x8b^\xe5\xb0\x8f\xe6\x9d\xb1");
+  QTest::addColumn<QString>("text");
+  const auto row = [](const char* script, const char* set, const char* name, const char* text) {
+    QTest::newRow(script) << QByteArray(set) << QByteArray(name) << QString::fromUtf8(text);
+  };
+  row("ASCII", "", "Doe^Jane", "Doe^Jane");
+  row("Latin-1", "ISO_IR 100",
+      "Nu\xf1"
+      "ez^Ren\xe9",
+      "Nuñez^René");
+  row("Central European", "ISO_IR 101", "Wa\xb3\xeasa^Lech", "Wałęsa^Lech");
+  row("Turkish", "ISO_IR 148",
+      "\xc7"
+      "avu\xfeo\xf0lu^Ay\xfe"
+      "e",
+      "Çavuşoğlu^Ayşe");
+  row("Cyrillic", "ISO_IR 144", "\xbb\xee\xda\xe1\xd5\xdc\xd1\xe3\xe0\xd3^\xc0\xde\xd7\xd0",
+      "Люксембург^Роза");
+  row("Greek", "ISO_IR 126", "\xc4\xe9\xef\xed\xf5\xf3\xe9\xef\xf2", "Διονυσιος");
+  row("Arabic", "ISO_IR 127", "\xe2\xc8\xc7\xe6\xea^\xe4\xe6\xd2\xc7\xd1", "قباني^لنزار");
+  row("Hebrew", "ISO_IR 138", "\xf9\xf8\xe5\xef^\xe3\xe1\xe5\xf8\xe4", "שרון^דבורה");
+  row("Thai", "ISO_IR 166", "\xb9\xd2\xc1\xca\xa1\xd8\xc5^\xaa\xd7\xe8\xcd", "นามสกุล^ชื่อ");
+  row("Japanese", "\\ISO 2022 IR 87", "Yamada^Tarou=\x1b$B;3ED\x1b(B^\x1b$BB@O:\x1b(B",
+      "Yamada^Tarou=山田^太郎");
+  row("Japanese, half-width", "ISO 2022 IR 13\\ISO 2022 IR 87",
+      "\xd4\xcf\xc0\xde^\xc0\xdb\xb3=\x1b$B;3ED\x1b(J^\x1b$BB@O:\x1b(J", "ﾔﾏﾀﾞ^ﾀﾛｳ=山田^太郎");
+  row("Korean", "\\ISO 2022 IR 149", "Hong^Gildong=\x1b$)C\xfb\xf3^\x1b$)C\xd1\xce\xd4\xd7",
+      "Hong^Gildong=洪^吉洞");
+  row("Chinese, GB2312", "\\ISO 2022 IR 58", "Zhang^XiaoDong=\x1b$)A\xd5\xc5^\x1b$)A\xd0\xa1\xb6\xab",
+      "Zhang^XiaoDong=张^小东");
+  row("Chinese, GB18030", "GB18030", "Wang^XiaoDong=\xcd\xf5^\xd0\xa1\xb6\xab", "Wang^XiaoDong=王^小东");
+  row("UTF-8", "ISO_IR 192", "Nuñez^José=王^小東", "Nuñez^José=王^小東");
 }
 
 /// A written object, read with DCMTK.
