@@ -217,6 +217,7 @@ int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) 
   if (Status s = checkFormatOptions(app, isKnown ? &*format : nullptr); !s) return failUsage(s.message());
   if (!isKnown) return deidentify(options, cancel);
   if (Status s = checkOther(app, options.job); !s) return failUsage(s.message());
+  if (Status s = checkCurve(app, *format); !s) return failUsage(s.message());
   if (Status s = settlePlane(app, *format, options.job); !s) return failUsage(s.message());
   if (format->check)
     if (Status s = format->check(options.job); !s) return failUsage(s.message());

@@ -36,13 +36,19 @@ bool isGiven(const CLI::App& app, const char* name) {
 
 const Options captureOptions = joined({"--frame-ms"}, sceneOptions);
 
+// The Error: one of these options is given; `why` is the rest of the sentence.
+Status checkNone(const CLI::App& app, const Options& options, const char* why) {
+  const auto found = std::ranges::find_if(options, [&](const char* name) { return isGiven(app, name); });
+  return found == options.end() ? Status() : Status(Error{std::string(*found) + why});
+}
+
 }  // namespace
 
 std::span<const ExportFormat> exportFormats() {
   static const Options ofOther = joined(overlayOptions, relationOptions);
   static const Options ofSeries =
       joined(joined({"--series", "--size", "--spacing", "--window", "--onto", "--onto-series",
-                     "--remove-table", "--segments", "--without-segments"},
+                     "--remove-table", "--segments", "--without-segments", "--roi"},
                     planeOptions),
              ofOther);
   static const Options ofPictures = joined({"--series", "--size", "--window"}, planeOptions);
@@ -66,7 +72,8 @@ std::span<const ExportFormat> exportFormats() {
       {"seg", "segments as a DICOM segmentation", {"--segments"}, {"--series"}, exportSegmentation},
       {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
       {"series",
-       "slices along a plane, fused with an overlay, on the grid of another series, or with parts taken "
+       "slices along a plane or across a curve, fused with an overlay, on the grid of another series, or "
+       "with parts taken "
        "away, "
        "as a DICOM series, into a folder",
        {},
@@ -117,11 +124,7 @@ Status checkFormatOptions(const CLI::App& app, const ExportFormat* format) {
 }
 
 Status checkOther(const CLI::App& app, const ExportJob& job) {
-  const auto given = [&](const char* option) { return isGiven(app, option); };
-  const auto refused = [&](const Options& options, const char* why) -> Status {
-    const auto found = std::ranges::find_if(options, given);
-    return found == options.end() ? Status() : Status(Error{std::string(*found) + why});
-  };
+  const auto refused = [&](const Options& options, const char* why) { return checkNone(app, options, why); };
   if (!job.isOnto() && !job.overlay.isGiven()) {
     if (Status s = refused(overlayOptions, " goes with --overlay."); !s) return s;
     return refused(relationOptions, " goes with --onto or --overlay.");
@@ -131,6 +134,14 @@ Status checkOther(const CLI::App& app, const ExportJob& job) {
   Options placing = joined({"--size", "--spacing", "--window"}, planeOptions);
   std::erase(placing, std::string_view("--interpolation"));
   return refused(placing, " does not go with --onto: the other series says where the slices lie.");
+}
+
+Status checkCurve(const CLI::App& app, const ExportFormat& format) {
+  if (!isGiven(app, "--roi") || !has(format.takes, "--spacing")) return {};
+  return checkNone(
+      app,
+      {"--plane", "--at", "--index", "--centre", "--right", "--down", "--onto", "--onto-series", "--overlay"},
+      " does not go with --roi: slices lie across its curve.");
 }
 
 Status settlePlane(const CLI::App& app, const ExportFormat& format, ExportJob& job) {
@@ -144,7 +155,10 @@ Status settlePlane(const CLI::App& app, const ExportFormat& format, ExportJob& j
 }
 
 void addFormatOptions(CLI::App& app, ExportJob& job) {
-  app.add_option("--roi", job.shapes, "Of sr and gsps: the shapes to measure, as for `volumen measure`")
+  app.add_option(
+         "--roi", job.shapes,
+         "Of sr and gsps: the shapes to measure, as for `volumen measure`; of series: the curve (openCurve) "
+         "that slices lie across")
       ->type_name("FILE");
   app.add_option(
          "--images", job.images,

@@ -32,6 +32,10 @@ Status checkFormatOptions(const CLI::App& app, const ExportFormat* format);
 /// Checks that options of another series fit each other. The Error (wrong usage) names an option.
 Status checkOther(const CLI::App& app, const ExportJob& job);
 
+/// Checks that no other option places the slices of a series that lie across the curve of --roi. The Error
+/// (wrong usage) names an option.
+Status checkCurve(const CLI::App& app, const ExportFormat& format);
+
 /// Completes a job: whether it shows a plane, and that plane's size. The Error (wrong usage): an option of 3D
 /// pictures is given beside a plane.
 Status settlePlane(const CLI::App& app, const ExportFormat& format, ExportJob& job);

@@ -107,14 +107,17 @@ Result<Exported> writeOnto(const ExportJob& job, SeriesSource source, const Canc
 Result<Exported> exportStack(const ExportJob& job, const AskedPlane& asked, SeriesSource source,
                              const CancelToken& cancel) {
   noteEvenSlices(job.plane, source.opened);
-  const auto stack = planeStack(job, asked, source.opened.loaded.drawn->geometry());
+  const VoxelGeometry& geometry = source.opened.loaded.drawn->geometry();
+  const auto stack = job.shapes.empty() ? planeStack(job, asked, geometry) : curveStack(job, asked, geometry);
   if (!stack) return stack.error();
   return job.overlay.isGiven()
              ? exportFused(job, *stack, std::move(source.opened), source.seriesNumber, cancel)
              : writeStack(job, *stack, std::move(source), cancel);
 }
 
-bool hasStack(const ExportJob& job) { return job.hasPlane || job.spacingMm || !job.plane.size.empty(); }
+bool hasStack(const ExportJob& job) {
+  return job.hasPlane || job.spacingMm || !job.plane.size.empty() || !job.shapes.empty();
+}
 
 }  // namespace
 
@@ -123,7 +126,8 @@ Status checkSeries(const ExportJob& job) {
     return Error{"--window does not go with --as series without --overlay: its values are kept."};
   if (job.deface && (hasStack(job) || job.isOnto() || job.overlay.isGiven()))
     return Error{
-        "--deface writes the slices as they are: leave --onto, --overlay, --spacing, --size and the options "
+        "--deface writes the slices as they are: leave --roi, --onto, --overlay, --spacing, --size and the "
+        "options "
         "of the plane out."};
   if (job.takesAway() && (job.deface || job.overlay.isGiven()))
     return Error{

@@ -22,6 +22,9 @@ struct Resampling {
   double thicknessMm = 0;                 ///< SliceThickness
   std::vector<std::vector<int>> sources;  ///< for each slice, the slices of the source that it shows
   std::string frameOfReferenceUid{};      ///< of their positions, if it is not that of the source
+  /// For each slice a grid of that slice alone, if they are not parallel. The spacing of slices of the volume
+  /// is then that along their curve.
+  std::vector<VoxelGeometry> places{};
 };
 
 /// Attributes of a written series beside pixels and geometry: its identity and its source's attributes.

@@ -18,7 +18,8 @@ namespace volumen {
 namespace {
 
 constexpr std::uint32_t imageTypeTag = 0x00080008, units = 0x00541001, rescaleType = 0x00281054,
-                        frameOfReference = 0x00200052;
+                        frameOfReference = 0x00200052, spacingBetweenSlices = 0x00180088,
+                        sliceLocation = 0x00201041;
 
 void appendValue(std::string& values, const std::string& value) {
   if (!values.empty()) values += '\\';
@@ -149,9 +150,9 @@ DicomElements placeElements(const VoxelGeometry& g, int k) {
                    column = g.patientFromVoxelStep[1] / spacing.y;
   return {{0x00200032, decimals({p.x, p.y, p.z})},
           {0x00200037, decimals({row.x, row.y, row.z, column.x, column.y, column.z})},
-          {0x00201041, decimal(glm::dot(p, glm::normalize(glm::cross(row, column))))},
+          {sliceLocation, decimal(glm::dot(p, glm::normalize(glm::cross(row, column))))},
           {0x00280030, decimals({spacing.y, spacing.x})},
-          {0x00180088, decimal(sliceDistance(g))}};
+          {spacingBetweenSlices, decimal(sliceDistance(g))}};
 }
 
 DicomSliceWriter::DicomSliceWriter(const Volume& volume, const DicomSeriesTags& tags)
@@ -263,6 +264,7 @@ DicomElements DicomSliceWriter::commonOfAll() const {
   for (int n = 0; n < int(tags_.source.slices.size()); ++n) keepCommon(all, byTag(tags_.source, n));
   for (const std::uint32_t tag : ofTheirPlane) all.erase(tag);
   if (!tags_.resampling->frameOfReferenceUid.empty()) all.erase(ofTheirSpace);
+  if (!tags_.resampling->places.empty()) all.erase(spacingBetweenSlices);
   return withoutIdentity(flat(all));
 }
 
@@ -285,6 +287,17 @@ std::string DicomSliceWriter::imageType(const std::string& ofSource) const {
   if (tags_.resampling) more.push_back(tags_.resampling->imageType);
   for (const std::string& value : more) appendValue(type, value);
   return type;
+}
+
+// Returns where slice `k` lies. Slices across a curve have no distance along a normal: their location is on
+// the curve.
+DicomElements DicomSliceWriter::placeOf(int k) const {
+  if (!tags_.resampling || tags_.resampling->places.empty()) return placeElements(volume_.geometry(), k);
+  DicomElements all = placeElements(tags_.resampling->places[std::size_t(k)], 0);
+  std::erase_if(
+      all, [](const DicomElement& e) { return e.tag == spacingBetweenSlices || e.tag == sliceLocation; });
+  all.push_back({sliceLocation, decimal(k * sliceDistance(volume_.geometry()))});
+  return all;
 }
 
 DicomElements DicomSliceWriter::derivationOf(int k, const StoredSlice& pixels) const {
@@ -317,7 +330,7 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
                        {0x00200013, std::to_string(k + 1)},
                        {0x00280004, "MONOCHROME2"}};
   if (!source.empty()) append(all, contributingEquipment(source));
-  append(all, placeElements(volume_.geometry(), k));
+  append(all, placeOf(k));
   append(all, derivationOf(k, pixels));
   append(all, padding(volume_, pixels));
   if (tags_.resampling || !tags_.takenAway.empty())

@@ -38,6 +38,7 @@ class DicomSliceWriter {
   std::optional<StoredAs> storedAs(int k) const;
   DicomElements commonOfAll() const;
   DicomElements withoutIdentity(DicomElements all) const;
+  DicomElements placeOf(int k) const;
   DicomElements derivationOf(int k, const StoredSlice& pixels) const;
 
   const Volume& volume_;

@@ -5,6 +5,8 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 
+#include "viewer/slice/cross_planes.h"
+#include "viewer/slice/curved_volume.h"
 #include "viewer/slice/slice.h"
 
 namespace volumen {
@@ -26,7 +28,16 @@ std::string millimetres(double mm) {
   return text;
 }
 
-const char* planeName(const SlicePlane& plane) {
+Status checkCount(double count, double distanceMm) {
+  constexpr double most = 65535;
+  if (count <= most) return {};
+  return Error{"A slice every " + millimetres(distanceMm) +
+               " is more than 65535 slices; take a larger --spacing."};
+}
+
+std::string planeName(const SliceStack& stack) {
+  if (!stack.across.empty()) return "Across " + (stack.curve.empty() ? "a curve" : stack.curve);
+  const SlicePlane& plane = stack.first;
   constexpr double within = 1e-6;
   const std::pair<NamedPlane, const char*> names[] = {
       {NamedPlane::axial, "Axial"}, {NamedPlane::coronal, "Coronal"}, {NamedPlane::sagittal, "Sagittal"}};
@@ -81,23 +92,29 @@ VoxelGeometry geometryOf(const SliceStack& stack) {
 }
 
 SlicePlane SliceStack::plane(int n) const {
+  if (!across.empty()) return across[std::size_t(n)];
   SlicePlane plane = first;
   plane.centre += n * distanceMm * first.normal();
   return plane;
 }
 
 Result<SliceStack> stackThrough(const VoxelGeometry& geometry, SlicePlane plane, double distanceMm) {
-  constexpr double most = 65535;
   const glm::dvec3 normal = plane.normal();
   Range along;
   for (const glm::dvec3& corner : geometry.boxCorners()) along.add(glm::dot(corner - plane.centre, normal));
   const double count = std::max(std::ceil((along.high - along.low) / distanceMm - 1e-6), 1.0);
-  if (count > most)
-    return Error{"A slice every " + millimetres(distanceMm) +
-                 " is more than 65535 slices; take a larger --spacing."};
+  if (Status s = checkCount(count, distanceMm); !s) return s.error();
   const double middle = 0.5 * (along.low + along.high);
   plane.centre += (middle - 0.5 * (count - 1) * distanceMm) * normal;
   return SliceStack{plane, int(count), distanceMm};
+}
+
+Result<SliceStack> stackAlong(const SmoothCurve& curve, const std::string& name, const SlicePlane& like,
+                              double distanceMm) {
+  if (curve.length() > CurvedGrid::longest) return Error{"The curve is longer than 10 m."};
+  if (Status s = checkCount(curve.length() / distanceMm + 1, distanceMm); !s) return s.error();
+  std::vector<SlicePlane> planes = planesAcross(curve, like, distanceMm);
+  return SliceStack{planes.front(), int(planes.size()), distanceMm, planes, name};
 }
 
 Result<StackVolume> resampleStack(const Volume& volume, const SliceStack& stack, const Progress& progress,
@@ -119,7 +136,7 @@ Result<StackVolume> resampleStack(const Volume& volume, const SliceStack& stack,
 
 std::string wordsOf(const SliceStack& stack) {
   const SlicePlane& plane = stack.first;
-  const std::string name = planeName(plane), every = "every " + millimetres(stack.distanceMm);
+  const std::string name = planeName(stack), every = "every " + millimetres(stack.distanceMm);
   const bool isOne = stack.count == 1;
   if (plane.slabMm == 0) return name + (isOne ? ", one slice" : ", " + every);
   const std::string slabs = name + (isOne ? ", slab of " : ", slabs of ") + millimetres(plane.slabMm) + " (" +
@@ -129,11 +146,14 @@ std::string wordsOf(const SliceStack& stack) {
 
 DicomSeriesTags stackTags(DicomSeriesTags ofSource, const Loaded& loaded, const SliceStack& stack,
                           int seriesNumber) {
-  ofSource.description = wordsOf(stack);
+  ofSource.description = inOneLine(wordsOf(stack));
   ofSource.seriesNumber = std::to_string(seriesNumber);
   ofSource.origins.clear();
   Resampling how = resamplingOf(stack);
-  for (int n = 0; n < stack.count; ++n) how.sources.push_back(sourcesOf(stack.plane(n), loaded));
+  for (int n = 0; n < stack.count; ++n) {
+    how.sources.push_back(sourcesOf(stack.plane(n), loaded));
+    if (!stack.across.empty()) how.places.push_back(geometryOf({stack.plane(n), 1, stack.distanceMm}));
+  }
   ofSource.resampling = std::move(how);
   return ofSource;
 }

@@ -3,14 +3,17 @@
 #include "io/export/dicom_series.h"
 #include "io/export/stack_volume.h"
 #include "viewer/slice/plane.h"
+#include "viewer/slice/smooth_curve.h"
 
 namespace volumen {
 
-/// Parallel planes at one distance, along their normal.
+/// Planes at one distance: parallel ones along their normal, or those across a curve.
 struct SliceStack {
   SlicePlane first;
   int count = 1;
-  double distanceMm = 1;  ///< from plane to plane
+  double distanceMm = 1;             ///< from plane to plane
+  std::vector<SlicePlane> across{};  ///< all planes, if they are not parallel
+  std::string curve{};               ///< name of the curve that they lie across; may be empty
 
   /// Returns plane n.
   SlicePlane plane(int n) const;
@@ -20,7 +23,12 @@ struct SliceStack {
 /// centred on it. The Error: they are more than a series can number.
 Result<SliceStack> stackThrough(const VoxelGeometry& geometry, SlicePlane plane, double distanceMm);
 
-/// Returns the grid whose slices are the planes of a stack.
+/// Returns the planes like `like` at this distance (mm, above 0) across a curve (planesAcross()). The Error:
+/// the curve is longer than 10 m, or they are more than a series can number.
+Result<SliceStack> stackAlong(const SmoothCurve& curve, const std::string& name, const SlicePlane& like,
+                              double distanceMm);
+
+/// Returns the grid whose slices are the planes of a stack, as if its curve were straight.
 VoxelGeometry geometryOf(const SliceStack& stack);
 /// Returns the slices of a source (indices of Series::files) whose voxels the samples of a plane lie on or
 /// between.

@@ -123,18 +123,18 @@ Status checkRecipe(const CurvedRecipe& recipe, const VoxelGeometry& source) {
   return {};
 }
 
-// Propagates the frame by two reflections (Wang et al. 2008, table I).
-dvec3 carried(dvec3 right, const CurvedGrid::Section& from, const CurvedGrid::Section& to) {
+}  // namespace
+
+// Two reflections (Wang et al. 2008, table I).
+dvec3 carriedAcross(dvec3 across, const CurvedGrid::Section& from, const CurvedGrid::Section& to) {
   const auto reflect = [](dvec3 v, dvec3 mirror) {
     const double squared = glm::dot(mirror, mirror);
     return squared > 0 ? v - mirror * (2 * glm::dot(mirror, v) / squared) : v;
   };
   const dvec3 way = to.at - from.at;
   const dvec3 turn = to.along - reflect(from.along, way);
-  return acrossOf(reflect(reflect(right, way), turn), to.along, anyAcross(to.along));
+  return acrossOf(reflect(reflect(across, way), turn), to.along, anyAcross(to.along));
 }
-
-}  // namespace
 
 dvec3 ruledDirection(const std::vector<dvec3>& points, dvec3 otherwise) {
   const dvec3 mean = meanOf(points);
@@ -215,7 +215,7 @@ void CurvedGrid::setFrames() {
   first.right = std::abs(first.along.z) < upright ? glm::cross(anyAcross(first.along), first.along)
                                                   : anyAcross(first.along);
   for (std::size_t n = 1; n < sections_.size(); ++n)
-    sections_[n].right = carried(sections_[n - 1].right, sections_[n - 1], sections_[n]);
+    sections_[n].right = carriedAcross(sections_[n - 1].right, sections_[n - 1], sections_[n]);
   for (Section& section : sections_) section.down = glm::cross(section.along, section.right);
 }
 

@@ -83,6 +83,10 @@ class CurvedGrid {
   VoxelGeometry geometry_;
 };
 
+/// Returns the unit vector across a curve at `to` that one at `from`, close by, becomes with the least
+/// rotation about the curve (double reflection, as in CurvedGrid). Only `at` and `along` of both are used.
+glm::dvec3 carriedAcross(glm::dvec3 across, const CurvedGrid::Section& from, const CurvedGrid::Section& to);
+
 /// Resamples `source` onto the grid of the recipe by trilinear interpolation, as in flat views (slice.h), to
 /// float32 in real units. Voxels outside the source's box, or interpolated from padding, get padding that
 /// statistics leave out (VolumeAttributes::padding): the source's, else a value below all others. `progress`
