@@ -48,21 +48,6 @@ std::vector<SegmentInScene> segmentsOf(const SessionView& session, const Volume&
   return drawn;
 }
 
-// True if the volume itself is visible only inside or outside segments.
-bool showsTissueApart(const SessionView& session, const Volume& volume) {
-  return std::ranges::any_of(session.segments, [&](const SegmentMap& map) {
-    return map.tissue.where != TissueShown::Where::everywhere && isOn(map, volume.geometry());
-  });
-}
-
-// Returns the volume masked as in the session's 3D view.
-Result<VolumePtr> tissueAlone(const SessionView& session, const Volume& volume, const CancelToken& cancel) {
-  std::vector<const SegmentMap*> maps;
-  for (const SegmentMap& map : session.segments) maps.push_back(&map);
-  const BitMask voxels = tissueVoxels(segmentsShownOf(maps, volume.geometry()), maps.front()->tissue, cancel);
-  return keptAlone(volume, voxels, cancel);
-}
-
 Scene asWhole(Scene scene, const Volume& whole) {
   const VolumeFacts facts = factsOf(whole);
   return drawnAsTheWhole(std::move(scene), defaultWindow(facts), facts.p999 - facts.p01, facts.geometry);

@@ -4,6 +4,8 @@
 
 #include "app/progress.h"
 #include "results/segments/segment_surfaces.h"
+#include "results/segments/segments.h"
+#include "results/segments/tissue.h"
 #include "ui/controller/open_session.h"
 
 namespace volumen {
@@ -35,6 +37,19 @@ Result<SessionView> readSessionView(const std::string& path, const CancelToken& 
   endTerminalProgress();
   if (!session) return session.error();
   return viewOf(path, *session);
+}
+
+bool showsTissueApart(const SessionView& session, const Volume& volume) {
+  return std::ranges::any_of(session.segments, [&](const SegmentMap& map) {
+    return map.tissue.where != TissueShown::Where::everywhere && isOn(map, volume.geometry());
+  });
+}
+
+Result<VolumePtr> tissueAlone(const SessionView& session, const Volume& volume, const CancelToken& cancel) {
+  std::vector<const SegmentMap*> maps;
+  for (const SegmentMap& map : session.segments) maps.push_back(&map);
+  const BitMask voxels = tissueVoxels(segmentsShownOf(maps, volume.geometry()), maps.front()->tissue, cancel);
+  return keptAlone(volume, voxels, cancel);
 }
 
 }  // namespace volumen

@@ -26,4 +26,10 @@ struct SessionView {
 /// it is missing or has changed.
 Result<SessionView> readSessionView(const std::string& path, const CancelToken& cancel);
 
+/// Returns whether the view shows the volume, of its series, only inside or outside of segments.
+bool showsTissueApart(const SessionView& session, const Volume& volume);
+/// Returns the volume with air where the view shows none of it then. The Error: cancelled, or too little
+/// memory.
+Result<VolumePtr> tissueAlone(const SessionView& session, const Volume& volume, const CancelToken& cancel);
+
 }  // namespace volumen

@@ -7,10 +7,12 @@
 #include "app/exports/taken_parts.h"
 #include "app/open_volume.h"
 #include "app/progress.h"
+#include "app/session_view.h"
 #include "io/export/dicom_folder.h"
 #include "io/export/dicom_series.h"
 #include "io/export/grid_series.h"
 #include "io/export/study_object.h"
+#include "io/files/session_file.h"
 #include "viewer/segment/face.h"
 
 namespace volumen {
@@ -119,6 +121,36 @@ bool hasStack(const ExportJob& job) {
   return job.hasPlane || job.spacingMm || !job.plane.size.empty() || !job.shapes.empty();
 }
 
+// The Error: parts are taken away, but others should be, too, or colours be laid over them.
+Status checkAlone(const ExportJob& job) {
+  if (!job.deface && !job.overlay.isGiven()) return {};
+  return Error{
+      "--deface and --overlay do not go with parts that are taken away otherwise: write one series, then the "
+      "other of what was written."};
+}
+
+// Opens the series of a job or of its session, and takes parts of it away.
+Result<SeriesSource> openSource(const ExportJob& job, const CancelToken& cancel) {
+  std::optional<SessionView> session;
+  if (isSessionFile(job.path)) {
+    auto read = readSessionView(job.path, cancel);
+    if (!read) return read.error();
+    session = *std::move(read);
+  }
+  const std::string& path = session ? session->series.path : job.path;
+  const Result<Study> study = openStudyAt(path, cancel);
+  if (!study) return study.error();
+  const MemoryUse use = job.takesAway() ? segmenting : MemoryUse{};
+  auto opened =
+      session ? openSeries(session->series, cancel) : openVolume(*study, path, job.series, cancel, use);
+  if (!opened) return opened.error();
+  if (Status s = checkLosses(path, opened->loaded.unread); !s) return s.error();
+  const int seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
+  auto without = takePartsAway(job, session, *opened, cancel);
+  if (!without) return without.error();
+  return SeriesSource{*std::move(opened), seriesNumber, *std::move(without)};
+}
+
 }  // namespace
 
 Status checkSeries(const ExportJob& job) {
@@ -129,10 +161,12 @@ Status checkSeries(const ExportJob& job) {
         "--deface writes the slices as they are: leave --roi, --onto, --overlay, --spacing, --size and the "
         "options "
         "of the plane out."};
-  if (job.takesAway() && (job.deface || job.overlay.isGiven()))
+  if (isSessionFile(job.path) && (!job.series.empty() || job.takesAway()))
     return Error{
-        "--remove-table and --segments do not go with --deface and --overlay: write one series, then the "
-        "other of what was written."};
+        job.path +
+        " is a session, which says what is shown: leave --series, --remove-table and --segments out."};
+  if (job.takesAway())
+    if (Status s = checkAlone(job); !s) return s;
   return checkWindows(job);
 }
 
@@ -140,22 +174,15 @@ Result<Exported> exportSeries(const ExportJob& job, const CancelToken& cancel) {
   const auto asked = readPlane(job.plane);
   if (!asked) return asked.error();
   if (Status s = checkDicomFolder(job.output); !s) return s.error();
-  const Result<Study> study = openStudyAt(job.path, cancel);
-  if (!study) return study.error();
-  auto opened = openVolume(*study, job.path, job.series, cancel, job.takesAway() ? segmenting : MemoryUse{});
-  if (!opened) return opened.error();
-  if (Status s = checkLosses(job.path, opened->loaded.unread); !s) return s.error();
-  const int seriesNumber = nextSeriesNumber(*study, opened->series.studyUid);
-  SeriesSource source{*std::move(opened), seriesNumber};
-  if (job.takesAway()) {
-    auto taken = takePartsAway(job, source.opened, cancel);
-    if (!taken) return taken.error();
-    source.without = *std::move(taken);
-  }
-  if (job.deface) return writeDefaced(job, std::move(source), cancel);
-  if (job.isOnto()) return writeOnto(job, std::move(source), cancel);
-  if (job.takesAway() && !hasStack(job)) return writeOwnGrid(job, std::move(source), cancel);
-  return exportStack(job, *asked, std::move(source), cancel);
+  auto source = openSource(job, cancel);
+  if (!source) return source.error();
+  const bool isCut = source->without.has_value();
+  if (isCut)
+    if (Status s = checkAlone(job); !s) return s.error();
+  if (job.deface) return writeDefaced(job, *std::move(source), cancel);
+  if (job.isOnto()) return writeOnto(job, *std::move(source), cancel);
+  if (isCut && !hasStack(job)) return writeOwnGrid(job, *std::move(source), cancel);
+  return exportStack(job, *asked, *std::move(source), cancel);
 }
 
 }  // namespace volumen

@@ -1,7 +1,10 @@
 #include "app/exports/taken_parts.h"
 
+#include <algorithm>
+
 #include "app/segment_numbers.h"
 #include "io/export/dicom_elements.h"
+#include "results/text/series_text.h"
 #include "viewer/segment/bit_mask.h"
 #include "viewer/segment/mask.h"
 
@@ -48,23 +51,56 @@ Result<TakenAway> takeBySegments(const ExportJob& job, Opened& opened, const Can
              : TakenAway{all.names + " alone", "everything outside of the segments " + all.names};
 }
 
-}  // namespace
-
-Result<TakenAway> takePartsAway(const ExportJob& job, Opened& opened, const CancelToken& cancel) {
+Result<TakenAway> takeAsked(const ExportJob& job, Opened& opened, const CancelToken& cancel) {
   TakenAway all;
   if (job.removeTable) {
     const auto table = takeTable(opened, cancel);
     if (!table) return table.error();
     all = *table;
   }
-  if (!job.segments.empty()) {
-    const auto rest = takeBySegments(job, opened, cancel);
-    if (!rest) return rest.error();
-    all.title += (all.title.empty() ? "" : ", ") + rest->title;
-    all.parts += (all.parts.empty() ? "" : ", and of ") + rest->parts;
-  }
-  opened.notes.push_back("Air is in place of " + all.parts + ".");
+  if (job.segments.empty()) return all;
+  const auto rest = takeBySegments(job, opened, cancel);
+  if (!rest) return rest.error();
+  all.title += (all.title.empty() ? "" : ", ") + rest->title;
+  all.parts += (all.parts.empty() ? "" : ", and of ") + rest->parts;
   return all;
+}
+
+// True for segments that tissue depends on, whose file was not read.
+bool isLost(const SegmentMap& map) {
+  return !map.labels && map.tissue.where != TissueShown::Where::everywhere;
+}
+
+Result<TakenAway> takeLeftOut(const SessionView& session, Opened& opened, const CancelToken& cancel) {
+  if (std::ranges::any_of(session.segments, isLost))
+    return Error{
+        "The segments of the session were not found, inside or outside of which it shows the series in 3D: "
+        "open it in the window and show the series everywhere."};
+  std::string what;
+  if (!session.mask.empty()) {
+    if (Status s = takeAway(session.mask, opened, cancel); !s) return s.error();
+    what = cutText(opened.loaded.drawn->attributes().cut);
+  }
+  if (showsTissueApart(session, *opened.loaded.drawn)) {
+    const auto left = tissueAlone(session, *opened.loaded.drawn, cancel);
+    if (!left) return left.error();
+    opened.loaded.drawn = *left;
+    what += (what.empty() ? "" : ", ") + tissueText(session.segments.front().tissue).toStdString();
+  }
+  if (what.empty()) return TakenAway{};
+  return TakenAway{"As shown in 3D", "what a session leaves out in 3D (" + what + ")"};
+}
+
+}  // namespace
+
+Result<std::optional<TakenAway>> takePartsAway(const ExportJob& job,
+                                               const std::optional<SessionView>& session, Opened& opened,
+                                               const CancelToken& cancel) {
+  auto taken = session ? takeLeftOut(*session, opened, cancel) : takeAsked(job, opened, cancel);
+  if (!taken) return taken.error();
+  if (taken->parts.empty()) return std::optional<TakenAway>();
+  opened.notes.push_back("Air is in place of " + taken->parts + ".");
+  return std::optional(*std::move(taken));
 }
 
 }  // namespace volumen
