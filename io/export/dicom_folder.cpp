@@ -9,7 +9,6 @@
 #include <filesystem>
 
 #include "io/files/aside.h"
-#include "io/files/output_file.h"
 
 namespace volumen {
 
@@ -39,8 +38,7 @@ Status checkDicomFolder(const std::string& folder) {
   const fs::path target = targetOf(folder);
   if (!isEmptyOrMissing(target))
     return Error{folder + " exists and is not an empty folder; name a new one for the DICOM series."};
-  const auto probe = OutputFile::create((parentOf(target) / "slice.dcm").string());
-  if (probe) return {};
+  if (const auto probe = FolderAside::in(parentOf(target).string()); probe) return {};
   return Error{"Cannot make the folder " + folder + ": " + parentOf(target).string() +
                " is missing or cannot be written."};
 }

@@ -11,6 +11,7 @@
 
 #include "tests/fixtures/chance.h"
 #include "tests/fixtures/fixtures.h"
+#include "tests/fixtures/mutated.h"
 #include "tests/fixtures/program.h"
 #include "tests/fixtures/seeds.h"
 #include "tests/unit/suite.h"
@@ -32,29 +33,6 @@ QStringList seeds() {
   }
   files.sort();
   return files;
-}
-
-int below(Chance& chance, qsizetype n) { return chance.below(std::max(1, int(n))); }
-
-// Changes, cuts off, repeats or removes bytes, or appends the end of another file.
-QByteArray mutated(QByteArray bytes, const QByteArray& other, Chance& chance) {
-  constexpr char telling[] = {0, 1, 0x7f, char(0x80), char(0xff), '\\'};
-  const int at = below(chance, bytes.size());
-  switch (chance.below(6)) {
-    case 0:
-      return bytes.left(at);
-    case 1:
-      return bytes.insert(at, bytes.mid(at, 1 + chance.below(200)).repeated(1 + chance.below(50)));
-    case 2:
-      return bytes.remove(at, 1 + chance.below(64));
-    case 3:
-      return bytes.left(at) + other.mid(at);
-    default:
-      for (int n = 1 + chance.below(8); n > 0; --n)
-        bytes[below(chance, std::min<qsizetype>(bytes.size(), chance.oneIn(2) ? 1000 : bytes.size()))] =
-            chance.oneIn(2) ? telling[chance.below(sizeof telling)] : char(chance.below(256));
-      return bytes;
-  }
 }
 
 bool write(const QString& path, const QByteArray& bytes) {
@@ -79,8 +57,8 @@ void TestMutatedFiles::noneEndsTheProgram() {
   for (int done = 0; done < cases; done += filesARun) {
     const QTemporaryDir folder;
     for (int n = 0; n < filesARun; ++n) {
-      const QString file = files[below(chance, files.size())];
-      const QByteArray other = contentsOf(files[below(chance, files.size())]);
+      const QString file = files[chance.below(int(files.size()))];
+      const QByteArray other = contentsOf(files[chance.below(int(files.size()))]);
       const QString name = QString::number(n) + QLatin1Char('-') + QFileInfo(file).fileName();
       QVERIFY(write(folder.filePath(name), mutated(contentsOf(file), other, chance)));
     }

@@ -14,6 +14,7 @@
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/io/dicom_bytes.h"
 #include "tests/unit/io/dicom_writer.h"
+#include "tests/unit/io/read_derived.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen;
@@ -42,47 +43,6 @@ const char* const objects[] = {"dicom-2d/made-here/pr-on-CT_small.dcm",
                                "dicom-2d/seg-on-CT_small.dcm",
                                "dicom-2d/seg-overlap-on-CT2.dcm",
                                "dicom-pydicom/test_files/rtstruct.dcm"};
-
-/// Returns whether there is a value, or else a sentence that names the file.
-template <class Value>
-bool isReadOrRefused(const Result<Value>& loaded, const std::string& path) {
-  return loaded || (loaded.message().starts_with(path + ": ") && loaded.message().ends_with("."));
-}
-
-/// Reads the file as the kind it claims to be, and uses the result.
-bool survives(const std::string& path) {
-  const Result<Study> study = openStudy(path);
-  if (!study) return false;
-  for (const DerivedObject& object : study->derived) {
-    const Result<Presentation> state = loadPresentation(path);
-    const Result<Segmentation> segmentation = loadSegmentation(path);
-    const Result<StructureSet> contours = loadContours(path);
-    if (!isReadOrRefused(state, path) || !isReadOrRefused(segmentation, path) ||
-        !isReadOrRefused(contours, path) || !isReadOrRefused(loadReport(path), path) ||
-        !isReadOrRefused(loadKeyObjects(path), path))
-      return false;
-    if (state) {
-      const FramePresentation how = presentationOf(
-          *state, object.pictures.empty() ? "" : object.pictures[0].sopInstanceUid, 0, {128, 128});
-      for (const Graphic& graphic : how.graphics)
-        if (outlineOf(graphic).size() < graphic.points.size()) return false;
-    }
-    if (segmentation) {
-      VoxelGeometry grid;
-      grid.size = {16, 16, 4};
-      std::size_t segments = 0;
-      for (const Segmented& map : segmentedOf(*segmentation, grid)) segments += map.segments.size();
-      if (segments != segmentation->segments.size()) return false;
-      const Result<VoxelGeometry> own = gridOf(*segmentation);
-      if (own && own->voxelCount() < 1) return false;
-    }
-    if (contours)
-      for (const RegionOfInterest& region : contours->regions)
-        for (const Contour& contour : region.contours)
-          if (!(areaOf(contour) >= 0)) return false;
-  }
-  return true;
-}
 
 /// Returns `items` items of a sequence, nested or side by side.
 Buffer manyItems(std::uint32_t sequence, const char* sopClass, int items,

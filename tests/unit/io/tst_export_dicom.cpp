@@ -193,7 +193,8 @@ void TestExportDicom::whatDicomCannotKeepIsRefused() {
 
 void TestExportDicom::sameContentsGiveTheSameFiles() {
   QTemporaryDir scratch;
-  const QString a = scratch.filePath(QStringLiteral("a")), b = scratch.filePath(QStringLiteral("b"));
+  const QString a = scratch.filePath(QStringLiteral("slice.dcm")),
+                b = scratch.filePath(QStringLiteral("b"));  // a folder called like a file is in nobody's way
   const VolumePtr volume = made(smallParts(glm::dmat3(1)));
   QVERIFY(writeDicomSeries(*volume, {}, a.toStdString()).ok());
   QVERIFY(QDir().mkpath(b));  // an empty folder is accepted
