@@ -33,7 +33,7 @@ void BitPacker::add(std::span<const std::uint64_t> words, std::size_t count) {
 
 std::vector<std::uint8_t> BitPacker::bytes() const {
   std::vector<std::uint8_t> all((size_ + 15) / 16 * 2);
-  std::memcpy(all.data(), words_.data(), all.size());
+  if (!all.empty()) std::memcpy(all.data(), words_.data(), all.size());
   return all;
 }
 

@@ -17,6 +17,7 @@ class TestPackedBits : public QObject {
 
 void TestPackedBits::theLowestBitOfAByteIsFirst() {
   BitPacker packer;
+  QVERIFY(packer.bytes().empty());
   packer.add(0b101, 3);
   packer.add(0b1, 1);
   packer.add(0b1000001, 7);
