@@ -1,8 +1,6 @@
 // Guards that a copied picture is what is on screen. Ctrl+C and Ctrl+E give the view in focus, whatever it
 // shows, and Ctrl+Shift+C all views side by side. Only controls are left out.
 #include <QClipboard>
-#include <QDrag>
-#include <QMimeData>
 #include <QPainter>
 #include <QTemporaryDir>
 
@@ -54,8 +52,6 @@ class TestViewPictures : public QObject {
   void itIsSavedAsItWasAskedFor();
   void allViewsAreSavedAsOnePicture();
   void whatCannotBeWrittenIsTold();
-  void picturesAreDraggedOut();
-  void draggedPicturesAreNotOpened();
   void withoutASeriesThereIsASentence();
 };
 
@@ -208,56 +204,6 @@ void TestViewPictures::whatCannotBeWrittenIsTold() {
   auto* banner = w.child<Banner>("banner");
   QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
   QVERIFY(banner->sentence().contains(QStringLiteral("/proc/no/where.png")));
-}
-
-// What the mouse takes along, while it is held. A drag lasts until the event loop ends it.
-void TestViewPictures::picturesAreDraggedOut() {
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  QVERIFY(w.idle());
-  for (View* view : w.window.findChildren<View*>()) {
-    auto* handle = view->findChild<QWidget*>(QStringLiteral("dragHandle"));
-    if (!view->isVisible() || view->state().series.empty()) continue;
-    QTRY_VERIFY_WITH_TIMEOUT(view->hasItsPicture(), longest);
-    QVERIFY(!handle->isVisible());
-    QTest::mouseMove(view, QPoint(50, 50));
-    QVERIFY(handle->isVisible() && view->rect().contains(handle->geometry()));
-    const QImage seen = view->capture();
-    QImage taken, inFile;
-    QTimer::singleShot(0, view, [&] {
-      const auto* drag = view->findChild<QDrag*>();
-      if (!drag) return;
-      taken.loadFromData(drag->mimeData()->data(QStringLiteral("image/png")));
-      inFile.load(drag->mimeData()->urls().value(0).toLocalFile());
-      QDrag::cancel();
-    });
-    QTest::mousePress(handle, Qt::LeftButton, Qt::NoModifier, QPoint(5, 5));
-    QTest::mouseMove(handle, QPoint(5, 7));
-    QVERIFY(taken.isNull());
-    QMouseEvent far(QEvent::MouseMove, QPointF(40, 40), handle->mapToGlobal(QPointF(40, 40)), Qt::NoButton,
-                    Qt::LeftButton, Qt::NoModifier);
-    QCoreApplication::sendEvent(handle, &far);
-    QVERIFY(!taken.isNull());
-    QCOMPARE(taken.convertToFormat(QImage::Format_RGB32), seen.convertToFormat(QImage::Format_RGB32));
-    QCOMPARE(inFile.convertToFormat(QImage::Format_RGB32), seen.convertToFormat(QImage::Format_RGB32));
-    QCOMPARE(w.session().workspace().focus, view->id());
-    QEvent leave(QEvent::Leave);
-    QCoreApplication::sendEvent(view, &leave);
-    QVERIFY(!handle->isVisible());
-  }
-}
-
-void TestViewPictures::draggedPicturesAreNotOpened() {
-  MeasureWindow w;
-  QTRY_VERIFY_WITH_TIMEOUT(!w.view()->picture().isNull(), longest);
-  QMimeData picture;
-  picture.setUrls({QUrl::fromLocalFile(QString::fromStdString(dataPath("dicom-2d")))});
-  picture.setData(QStringLiteral("application/x-volumen-picture"), {});
-  const auto opened = w.window.document().open.all().size();
-  QDropEvent drop(QPointF(5, 5), Qt::CopyAction, &picture, Qt::LeftButton, Qt::NoModifier);
-  QCoreApplication::sendEvent(&w.window, &drop);
-  QVERIFY(w.idle());
-  QCOMPARE(w.window.document().open.all().size(), opened);
 }
 
 void TestViewPictures::withoutASeriesThereIsASentence() {
