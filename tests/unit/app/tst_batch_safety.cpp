@@ -12,6 +12,26 @@
 
 using namespace volumen::tests;
 
+namespace {
+
+// A picture that takes longer than any test waits.
+QJsonObject slowPicture(const QString& output) {
+  return piece(QStringLiteral("render"), output,
+               {{QStringLiteral("method"), QStringLiteral("reference")},
+                {QStringLiteral("size"), QStringLiteral("8192x8192")}});
+}
+
+// Starts a list of three pieces and waits until the first is done. The second is slow.
+void startWithSlowPiece(const BatchFolder& folder, QProcess& process) {
+  folder.write(QStringLiteral("jobs"),
+               listOf({smallPicture(QStringLiteral("a.png")), slowPicture(QStringLiteral("b.png")),
+                       smallPicture(QStringLiteral("c.png"))}));
+  folder.start(process);
+  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at(QStringLiteral("a.png.volumen-stamp"))), 60000);
+}
+
+}  // namespace
+
 class TestBatchSafety : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -110,14 +130,8 @@ void TestBatchSafety::aPoisonedPieceCostsItsLine() {
 
 void TestBatchSafety::aKilledProcessCostsItsLine() {
   const BatchFolder folder;
-  QJsonObject slow = piece(QStringLiteral("render"), QStringLiteral("b.png"),
-                           {{QStringLiteral("method"), QStringLiteral("reference")},
-                            {QStringLiteral("size"), QStringLiteral("1024x1024")}});
-  folder.write(QStringLiteral("jobs"),
-               listOf({smallPicture(QStringLiteral("a.png")), slow, smallPicture(QStringLiteral("c.png"))}));
   QProcess process;
-  folder.start(process);
-  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at(QStringLiteral("a.png.volumen-stamp"))), 60000);
+  startWithSlowPiece(folder, process);
   QTest::qWait(300);
   const QList<pid_t> children = childrenOf(process.processId());
   QCOMPARE(children.size(), 1);
@@ -146,11 +160,9 @@ void TestBatchSafety::littleMemoryIsSaid() {
 
 void TestBatchSafety::whatTakesTooLongIsEnded() {
   const BatchFolder folder;
-  const QJsonObject slow = piece(QStringLiteral("render"), QStringLiteral("a.png"),
-                                 {{QStringLiteral("method"), QStringLiteral("reference")},
-                                  {QStringLiteral("size"), QStringLiteral("4096x4096")}});
-  folder.write(QStringLiteral("jobs"), listOf({slow, smallPicture(QStringLiteral("b.png"))}));
-  const Outcome a = folder.batch({QStringLiteral("--timeout"), QStringLiteral("1")});
+  folder.write(QStringLiteral("jobs"),
+               listOf({slowPicture(QStringLiteral("a.png")), smallPicture(QStringLiteral("b.png"))}));
+  const Outcome a = folder.batch({QStringLiteral("--timeout"), QStringLiteral("5")});
   QCOMPARE(a.status, 1);
   const QMap<int, QString> ends{{1, QStringLiteral("failed")}, {2, QStringLiteral("done")}};
   QCOMPARE(endsIn(a.out), ends);
@@ -201,14 +213,8 @@ void TestBatchSafety::killedProgramsLeaveNothingHalf() {
 
 void TestBatchSafety::interruptionsLeaveNothingHalf() {
   const BatchFolder folder;
-  QJsonObject slow = piece(QStringLiteral("render"), QStringLiteral("b.png"),
-                           {{QStringLiteral("method"), QStringLiteral("reference")},
-                            {QStringLiteral("size"), QStringLiteral("1024x1024")}});
-  folder.write(QStringLiteral("jobs"),
-               listOf({smallPicture(QStringLiteral("a.png")), slow, smallPicture(QStringLiteral("c.png"))}));
   QProcess process;
-  folder.start(process);
-  QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at(QStringLiteral("a.png.volumen-stamp"))), 60000);
+  startWithSlowPiece(folder, process);
   QTest::qWait(200);
   process.terminate();
   QVERIFY(process.waitForFinished(20000));
