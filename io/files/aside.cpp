@@ -24,15 +24,17 @@ bool isFirstTime(const std::string& folder) {
   return looked.insert(folder).second;
 }
 
-// True if a file is this user's and no running process holds its lock.
-bool isLeft(const std::string& path) {
+// Removes a file that is this user's if no running process holds its lock. The lock is kept until it is gone,
+// so that whoever has just made it notices (claimAside).
+void removeIfLeft(const std::string& path) {
   const int fd = ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOFOLLOW | O_CLOEXEC);
-  if (fd < 0) return false;
+  if (fd < 0) return;
   struct stat status {};
   const bool left =
       ::fstat(fd, &status) == 0 && status.st_uid == ::geteuid() && ::flock(fd, LOCK_EX | LOCK_NB) == 0;
+  std::error_code ignored;
+  if (left) std::filesystem::remove_all(path, ignored);
   ::close(fd);
-  return left;
 }
 
 }  // namespace
@@ -46,7 +48,13 @@ std::string endOfLinks(const std::string& name) {
   return place.string();
 }
 
-void claimAside(int descriptor) { (void)::flock(descriptor, LOCK_EX | LOCK_NB); }
+// A file system without locks has nothing that others could remove.
+bool claimAside(int descriptor) {
+  while (::flock(descriptor, LOCK_EX) != 0 && errno == EINTR) {
+  }
+  struct stat status {};
+  return ::fstat(descriptor, &status) != 0 || status.st_nlink > 0;
+}
 
 // Reads the umask without changing it: files that another thread creates meanwhile would get wrong rights.
 mode_t rightsKept() {
@@ -68,9 +76,7 @@ void sweepAside(const std::string& folder) {
   fs::directory_iterator it(folder.empty() ? "." : folder, error);
   for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
     const std::string name = it->path().filename().string();
-    std::error_code ignored;
-    if (name.starts_with(prefix) && name.size() == std::strlen(asideName) && isLeft(it->path().string()))
-      fs::remove_all(it->path(), ignored);
+    if (name.starts_with(prefix) && name.size() == std::strlen(asideName)) removeIfLeft(it->path().string());
   }
 }
 
@@ -79,7 +85,7 @@ Result<FolderAside> FolderAside::in(const std::string& parent) {
   std::string path = (std::filesystem::path(parent) / asideName).string();
   if (!::mkdtemp(path.data())) return Error{std::strerror(errno)};
   FolderAside made(path, ::open(path.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  claimAside(made.descriptor_);
+  if (!claimAside(made.descriptor_)) return in(parent);
   return made;
 }
 

@@ -16,7 +16,8 @@ inline constexpr const char* asideName = ".volumen-XXXXXX";
 std::string endOfLinks(const std::string& name);
 
 /// Locks an open temporary file or folder, so that other programs do not take it for an abandoned one.
-void claimAside(int descriptor);
+/// Returns false if one has already removed it: another one must be made.
+bool claimAside(int descriptor);
 
 /// Returns the permission bits that this process does not grant to new files (its umask).
 mode_t rightsKept();

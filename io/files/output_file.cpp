@@ -105,7 +105,7 @@ Result<OutputFile> OutputFile::create(const std::string& path) {
     s.aside.clear();
     return out.fail(whyNotMade(error)).error();
   }
-  claimAside(s.fd);
+  if (!claimAside(s.fd)) return create(path);
   ::fchmod(s.fd, rightsFor(s.target));
   return out;
 }
