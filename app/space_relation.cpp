@@ -38,7 +38,8 @@ Result<SpaceRelation> relationIn(const std::string& session, const Series& from,
   return relationBy(relation->toFromFrom, relation->byHand ? "placed by hand" : "placed by a registration");
 }
 
-// Returns a note for the user; empty if the frames of reference are the same. The Error: they differ.
+// Returns a note if one of the series names no frame of reference, and nothing if both are in one. The Error:
+// they are in two.
 Result<std::string> comparedFrames(const Series& from, const Series& to) {
   const std::string &a = from.frameOfReferenceUid, &b = to.frameOfReferenceUid;
   const bool isOneSeries = from.files == to.files && from.frames == to.frames;

@@ -69,14 +69,17 @@ Status addOption(const std::string& name, const JobJson& value, const CLI::App& 
   if (isOneOf(writes, name)) {
     if (text->starts_with("archive:"))
       return Error{"a piece of work is written to a file, not to an archive"};
-    const bool isSeries = name == "output" && isOneOf(piece.words, "series") && !text->ends_with('/');
-    piece.outputs.push_back(isSeries ? *text + '/' : *text);
+    piece.outputs.insert(name == "output" ? piece.outputs.begin() : piece.outputs.end(), *text);
   }
   if (isStdout)
     piece.keepsStdout = true;
   else
     piece.words.push_back("--" + name + "=" + *text);
   return {};
+}
+
+bool writesFolder(const JobJson& json) {
+  return json.value("as", JobJson()) == "series" || json.value("deidentify", JobJson()) == true;
 }
 
 Result<Piece> pieceOf(const JobJson& json, const CommandLine& commands) {
@@ -95,18 +98,21 @@ Result<Piece> pieceOf(const JobJson& json, const CommandLine& commands) {
     if (isOneOf(alone, name)) piece.group += '\n' + name + value.dump();
   }
   if (piece.outputs.empty()) return Error{"\"output\" is missing: the file to write"};
+  if (writesFolder(json) && !piece.isFolder()) piece.outputs[0] += '/';
   return piece;
 }
 
 // Returns a name under which a file is known however it is spelled.
 std::string placeOf(const std::string& output) {
   std::error_code ignored;
-  const std::string whole = output.substr(0, output.find_last_not_of('/') + 1);
-  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(whole, ignored), ignored);
-  return place.empty() ? whole : place.string();
+  const auto place =
+      std::filesystem::weakly_canonical(std::filesystem::absolute(bareName(output), ignored), ignored);
+  return place.empty() ? output : place.string();
 }
 
 }  // namespace
+
+std::string bareName(const std::string& output) { return output.substr(0, output.find_last_not_of('/') + 1); }
 
 Result<std::vector<Piece>> readPieces(std::string_view list, const CommandLine& commands) {
   std::vector<Piece> pieces;

@@ -14,12 +14,16 @@ struct Piece {
   int line = 0;                    ///< in the list, from 1
   std::string command, path;       ///< as written
   std::vector<std::string> words;  ///< the command line without the name of the program
-  std::vector<std::string>
-      outputs;               ///< files, or folders if the name ends with '/'; the stamp lies beside the first
+  /// Files that it writes, "output" first. A name that ends with '/' is a folder. The stamp lies beside the
+  /// first.
+  std::vector<std::string> outputs;
   bool keepsStdout = false;  ///< the command writes to stdout, which becomes the first output
   std::string group;         ///< equal for pieces that one process does, as they read one series
   bool isFolder() const { return outputs[0].ends_with('/'); }
 };
+
+/// Returns the name of an output without the '/' behind a folder.
+std::string bareName(const std::string& output);
 
 /// Reads a list of work: a JSON object a line with "command", "path" (a text, or a list of them), "output" or
 /// "csv", and long options of the command without dashes; true is a flag, a list stands for its texts with

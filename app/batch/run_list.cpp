@@ -6,12 +6,14 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <sstream>
 #include <system_error>
 
 #include "app/batch/stamps.h"
 #include "app/command.h"
 #include "app/progress.h"
+#include "io/files/aside.h"
 #include "io/files/output_file.h"
 
 namespace volumen {
@@ -44,19 +46,28 @@ LineJson errorsIn(const std::string& picture) {
   return errors;
 }
 
-// Where a folder is made before it gets its name, so that it is there whole or not at all, with its stamp.
-std::string asideOf(const Piece& piece) {
-  const fs::path folder(piece.outputs[0].substr(0, piece.outputs[0].find_last_not_of('/') + 1));
-  return (folder.parent_path() / ("." + folder.filename().string() + ".volumen-part")).string() + '/';
-}
+// A piece to do. Its folder is made aside, so that it appears whole, with its stamp.
+struct ToDo {
+  Piece asked, made;  // `made` writes to the folder aside
+  std::string stamp;
+  std::optional<FolderAside> folder{};
+  std::string problem{};  // why there is no folder aside
 
-// Returns the piece with its folder aside.
-Piece madeAside(Piece piece) {
-  if (!piece.isFolder()) return piece;
-  const std::string aside = asideOf(piece);
-  for (std::string& word : piece.words)
-    if (word.starts_with("--output=")) word = "--output=" + aside;
-  return piece;
+  std::string aside() const { return folder ? folder->path() + "/made" : std::string(); }
+};
+
+ToDo toDoOf(const Piece& piece, std::string stamp) {
+  ToDo todo{piece, piece, std::move(stamp)};
+  if (!piece.isFolder()) return todo;
+  auto folder = FolderAside::in(fs::path(bareName(piece.outputs[0])).parent_path().string());
+  if (!folder) {
+    todo.problem = "Cannot make " + piece.outputs[0] + ": " + folder.message() + ".";
+    return todo;
+  }
+  todo.folder.emplace(*std::move(folder));
+  for (std::string& word : todo.made.words)
+    if (word.starts_with("--output=")) word = "--output=" + todo.aside() + '/';
+  return todo;
 }
 
 class ListRun {
@@ -65,23 +76,28 @@ class ListRun {
       : count_(count), limits_(limits), cancel_(cancel), stamps_(cancel), progress_(terminalProgress()) {}
 
   void run(const std::vector<Piece>& group) {
-    std::vector<Piece> asked, made;
-    std::vector<std::string> stamps;
+    std::vector<ToDo> all;
+    std::vector<Piece> made;
     for (const Piece& piece : group) {
       std::string stamp = stamps_.of(piece);
       if (isDone(piece, stamp)) {
         skip(piece);
         continue;
       }
-      asked.push_back(piece), made.push_back(madeAside(piece)), stamps.push_back(std::move(stamp));
+      all.push_back(toDoOf(piece, std::move(stamp)));
+      made.push_back(all.back().made);
     }
     std::unique_ptr<PieceProcess> process;
-    for (std::size_t n = 0; n < made.size() && !cancel_.cancelled(); ++n) {
+    for (std::size_t n = 0; n < all.size() && !cancel_.cancelled(); ++n) {
+      if (!all[n].problem.empty()) {
+        fail(all[n].asked, {{"warnings", LineJson::array({all[n].problem})}});
+        continue;
+      }
       if (!process) process = std::make_unique<PieceProcess>(made, limits_, cancel_);
-      clear(asked[n]);
+      forgetStamp(all[n].asked);
       const PieceResult result = process->run(n);
       if (!result.exitStatus) process.reset();
-      finish(asked[n], stamps[n], result);
+      finish(all[n], result);
     }
   }
 
@@ -97,26 +113,30 @@ class ListRun {
     tell(piece, "skipped", LineJson::object());
   }
 
-  // A stamp that no longer holds must not outlast a failure.
-  static void clear(const Piece& piece) {
+  // A stamp that no longer holds must not outlast a failure. That of a folder says whose the folder is.
+  static void forgetStamp(const Piece& piece) {
     std::error_code ignored;
-    if (piece.isFolder()) fs::remove_all(asideOf(piece), ignored);
     if (!piece.isFolder()) fs::remove(stampFile(piece), ignored);
   }
 
-  void finish(const Piece& piece, const std::string& stamp, const PieceResult& result) {
+  void fail(const Piece& piece, const LineJson& facts) {
+    ++result_.failed;
+    tell(piece, "failed", facts);
+  }
+
+  void finish(const ToDo& todo, const PieceResult& result) {
+    const Piece& piece = todo.asked;
     LineJson facts = {{"seconds", std::round(result.seconds * 1000) / 1000},
                       {"peakMebibytes", result.peakBytes >> 20},
                       {"warnings", linesOf(result.error)}};
     if (result.exitStatus) facts["exit"] = *result.exitStatus;
     const bool isDoneWell = result.exitStatus == exitDone || result.exitStatus == exitLosses;
     if (cancel_.cancelled() && !isDoneWell) return tell(piece, "interrupted", facts);
-    const Status kept = isDoneWell ? keep(piece, stamp, result) : Status(Error{result.end});
-    if (!kept && !result.exitStatus) facts["warnings"].push_back("Its process " + kept.message() + ".");
-    if (!kept && isDoneWell) facts["warnings"].push_back(kept.message());
-    if (!kept) {
-      ++result_.failed;
-      return tell(piece, "failed", facts);
+    if (!result.exitStatus) facts["warnings"].push_back("Its process " + result.end + ".");
+    if (!isDoneWell) return fail(piece, facts);
+    if (const Status kept = keep(todo, result); !kept) {
+      facts["warnings"].push_back(kept.message());
+      return fail(piece, facts);
     }
     ++result_.done;
     result_.withLosses += result.exitStatus == exitLosses;
@@ -125,24 +145,25 @@ class ListRun {
     tell(piece, "done", facts);
   }
 
-  static Status keep(const Piece& piece, const std::string& stamp, const PieceResult& result) {
-    if (piece.keepsStdout)
-      if (Status s = writeWholeFile(piece.outputs[0], result.out); !s) return s;
-    return piece.isFolder() ? moveFolder(piece, stamp) : writeStamp(piece, stamp);
+  static Status keep(const ToDo& todo, const PieceResult& result) {
+    if (todo.asked.keepsStdout)
+      if (Status s = writeWholeFile(todo.asked.outputs[0], result.out); !s) return s;
+    return todo.folder ? moveFolder(todo) : writeStamp(todo.asked, todo.stamp);
   }
 
-  // Gives a folder its name. One that an earlier stamp names goes; another one is not ours. The stamp comes
-  // before the name: wherever this process is killed, the next one knows whose the folder is.
-  static Status moveFolder(const Piece& piece, const std::string& stamp) {
-    const std::string &name = piece.outputs[0], aside = asideOf(piece);
+  // Gives a folder its name. A folder beside a stamp is of an earlier list and goes; another one stays. The
+  // stamp comes before the name: wherever this process is killed, the next one knows whose the folder is.
+  static Status moveFolder(const ToDo& todo) {
+    const std::string name = bareName(todo.asked.outputs[0]);
     std::error_code problem;
-    const bool isOurs = fs::exists(stampFile(piece), problem);
     if (fs::exists(name, problem) && !fs::is_empty(name, problem)) {
-      if (!isOurs) return Error{name + " is there already, and no list made it: move it away."};
+      if (!fs::exists(stampFile(todo.asked), problem))
+        return Error{name + " is there already, and no list made it: move it away."};
       fs::remove_all(name, problem);
     }
-    if (Status s = writeStamp(piece, stamp, aside); !s) return s;
-    fs::rename(aside, name.substr(0, name.find_last_not_of('/') + 1), problem);
+    if (Status s = writeStamp(todo.asked, todo.stamp, todo.aside()); !s) return s;
+    fs::rename(todo.aside(), name, problem);
+    if (problem && isDone(todo.asked, todo.stamp)) return {};  // another program has just made it
     return problem ? Status(Error{"Cannot make " + name + ": " + problem.message() + "."}) : Status();
   }
 

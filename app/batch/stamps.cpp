@@ -20,8 +20,6 @@ namespace {
 namespace fs = std::filesystem;
 using StampJson = nlohmann::ordered_json;
 
-std::string whole(const std::string& name) { return name.substr(0, name.find_last_not_of('/') + 1); }
-
 // Returns name, size and time of a file as a line of text.
 std::string lineOf(const fs::path& file) {
   std::error_code problem;
@@ -47,7 +45,7 @@ std::optional<std::uintmax_t> sizeOfOutput(const std::string& name) {
 // Returns the files that an output became: itself, or a file for each segment (NAME-*.stl).
 std::vector<std::string> filesOf(const std::string& output) {
   std::error_code ignored;
-  if (fs::exists(whole(output), ignored)) return {whole(output)};
+  if (fs::exists(bareName(output), ignored)) return {bareName(output)};
   const fs::path place(output);
   const std::string begin = place.stem().string() + '-', end = place.extension().string();
   const fs::path folder = place.has_parent_path() ? place.parent_path() : fs::path(".");
@@ -62,7 +60,7 @@ std::vector<std::string> filesOf(const std::string& output) {
 
 }  // namespace
 
-std::string stampFile(const Piece& piece) { return whole(piece.outputs[0]) + ".volumen-stamp"; }
+std::string stampFile(const Piece& piece) { return bareName(piece.outputs[0]) + ".volumen-stamp"; }
 
 const std::string& Stamps::filesAt(const std::string& path) {
   const auto [known, isNew] = known_.emplace(path, "");
@@ -80,7 +78,8 @@ std::string Stamps::of(const Piece& piece) {
   for (const std::string& word : piece.words) {
     const std::string value =
         word.starts_with("--") ? word.substr(std::min(word.find('='), word.size() - 1) + 1) : word;
-    const bool isWritten = std::ranges::find(piece.outputs, value) != piece.outputs.end();
+    const bool isWritten = std::ranges::any_of(
+        piece.outputs, [&](const std::string& output) { return bareName(output) == bareName(value); });
     std::error_code ignored;
     if (!isWritten && (isStudyName(value) || fs::exists(value, ignored))) read.push_back(value);
   }
@@ -108,7 +107,11 @@ bool isDone(const Piece& piece, const std::string& stamp) {
 
 Status writeStamp(const Piece& piece, const std::string& stamp, const std::string& aside) {
   StampJson outputs = StampJson::object();
-  if (!aside.empty()) outputs[whole(piece.outputs[0])] = sizeOfOutput(aside).value_or(0);
+  if (!aside.empty()) {
+    const auto bytes = sizeOfOutput(aside);
+    if (!bytes) return Error{"It ended well, but " + piece.outputs[0] + " is not there."};
+    outputs[bareName(piece.outputs[0])] = *bytes;
+  }
   for (const std::string& output : piece.outputs) {
     if (!aside.empty() && output == piece.outputs[0]) continue;
     const std::vector<std::string> files = filesOf(output);

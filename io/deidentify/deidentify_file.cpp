@@ -188,7 +188,7 @@ Result<DeidentifiedFile> rewritten(const std::string& path, const Deidentificati
   return worker::isolated<deidentifiedHere>(request, failure, path, how, isFaceless);
 }
 
-// Returns words as the bytes of a file.
+// Returns 16-bit values in the byte order of a file.
 std::string bytesOf(const std::vector<std::uint16_t>& words, bool bigEndian) {
   std::string bytes;
   bytes.reserve(2 * words.size());

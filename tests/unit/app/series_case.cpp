@@ -5,6 +5,8 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "tests/unit/app/export_case.h"
+
 namespace volumen::tests {
 
 namespace {
@@ -114,6 +116,14 @@ QStringList storedFilesIn(const QString& folder) {
   for (const QString& name : QDir(folder).entryList(QDir::Files, QDir::Name))
     files << folder + QLatin1Char('/') + name;
   return files;
+}
+
+QStringList newErrorsInMiddle(const QString& folder, const QString& source) {
+  const QStringList files = storedFilesIn(folder);
+  QStringList errors = newErrors(files[files.size() / 2], storedFilesIn(source).constFirst().toStdString());
+  erase_if(errors,
+           [](const QString& error) { return error.contains(QLatin1String("DeidentificationMethod")); });
+  return errors;
 }
 
 QString exactText(double number) { return QString::number(number, 'g', 17); }

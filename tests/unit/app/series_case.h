@@ -37,6 +37,10 @@ struct StoredFile {
 /// Returns the files in a folder by name.
 QStringList storedFilesIn(const QString& folder);
 
+/// Returns the errors that dciodvfy finds in the middle file of a folder but not in the first of `source`,
+/// without those on how a source was de-identified.
+QStringList newErrorsInMiddle(const QString& folder, const QString& source);
+
 /// Returns a number with all its digits.
 QString exactText(double number);
 

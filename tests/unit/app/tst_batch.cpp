@@ -14,6 +14,7 @@ class TestBatch : public QObject {
   void badUseIsSaid_data();
   void badUseIsSaid();
   void everyCommandIsDoneAsByHand();
+  void whatIsWrittenToStdoutIsNoTable();
   void shardsDoEachPieceOnce();
   void slurmTasksAreShards_data();
   void slurmTasksAreShards();
@@ -91,8 +92,7 @@ void TestBatch::everyCommandIsDoneAsByHand() {
   const auto set = [](const char* name, const QJsonValue& value) {
     return QJsonObject{{QString::fromLatin1(name), value}};
   };
-  folder.write(QStringLiteral("roi.json"),
-               R"([{"kind": "length", "points": [[0, 0, 0], [0, 30, 0]]}])");
+  folder.write(QStringLiteral("roi.json"), R"([{"kind": "length", "points": [[0, 0, 0], [0, 30, 0]]}])");
   const QString roi = QStringLiteral("roi.json");
   const QList<std::pair<QJsonObject, QString>> rows = {
       {smallPicture(QStringLiteral("a.png")), QStringLiteral("render %1 --size 32x32 -o %2a.png")},
@@ -133,6 +133,20 @@ void TestBatch::everyCommandIsDoneAsByHand() {
   const Outcome again = folder.batch();
   QVERIFY2(again.status == 0, again.err);
   QCOMPARE(endsIn(again.out), all(int(rows.size()), QStringLiteral("skipped")));
+}
+
+void TestBatch::whatIsWrittenToStdoutIsNoTable() {
+  const BatchFolder folder;
+  const QString segments = folder.at(QStringLiteral("s.seg.nrrd"));
+  QCOMPARE(runProgram(QStringLiteral("segment %1 --range 200: -o %2").arg(smallHead, segments)).status, 0);
+  const QJsonObject one =
+      piece(QStringLiteral("measure"), QStringLiteral("a.json"),
+            {{QStringLiteral("segments"), segments}, {QStringLiteral("csv"), QStringLiteral("a.csv")}});
+  folder.write(QStringLiteral("jobs"), listOf({one}));
+  const Outcome a = folder.batch();
+  QVERIFY2(a.status == 0, a.out + a.err);
+  QVERIFY(folder.contents(QStringLiteral("a.json")).startsWith('{'));
+  QVERIFY(folder.contents(QStringLiteral("a.csv")).startsWith("Name,"));
 }
 
 void TestBatch::shardsDoEachPieceOnce() {

@@ -45,6 +45,7 @@ class TestBatchSafety : public QObject {
   void killedProgramsLeaveNothingHalf();
   void interruptionsLeaveNothingHalf();
   void foldersAreWholeOrNotThere();
+  void seriesAreFolders();
   void otherFoldersStay();
   void aFullDiskIsSaid();
 };
@@ -174,14 +175,16 @@ void TestBatchSafety::twoProgramsMayDoOneList() {
   QList<QJsonObject> pieces;
   for (int k = 0; k < 12; ++k)
     pieces << smallPicture(QStringLiteral("%1.png").arg(k), QStringLiteral("phantom:ct-head:%1").arg(24 + k));
+  pieces << piece(QStringLiteral("convert"), QStringLiteral("series/"));
   folder.write(QStringLiteral("jobs"), listOf(pieces));
   QProcess one, two;
   folder.start(one), folder.start(two);
   QVERIFY(one.waitForFinished(120000) && two.waitForFinished(120000));
   QVERIFY2(one.exitCode() == 0 && two.exitCode() == 0,
            one.readAllStandardError() + two.readAllStandardError());
-  QCOMPARE(endsIn(folder.batch().out), all(12, QStringLiteral("skipped")));
-  QCOMPARE(folder.files().size(), 25);
+  QCOMPARE(endsIn(folder.batch().out), all(13, QStringLiteral("skipped")));
+  QCOMPARE(folder.files().size(), 27);
+  QCOMPARE(QDir(folder.at(QStringLiteral("series"))).entryList(QDir::Files).size(), 35);
 }
 
 void TestBatchSafety::killedProgramsLeaveNothingHalf() {
@@ -239,6 +242,30 @@ void TestBatchSafety::foldersAreWholeOrNotThere() {
   QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
   QCOMPARE(QDir(folder.at(QStringLiteral("series"))).entryList(QDir::Files).size(), 26);
   QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
+}
+
+// However their names end, and also where a stamp no longer holds.
+void TestBatchSafety::seriesAreFolders() {
+  const BatchFolder folder;
+  const QString scans = QStringLiteral("scans/");
+  QCOMPARE(runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, folder.at(scans))).status, 0);
+  QJsonObject one = piece(QStringLiteral("export"), QStringLiteral("made"),
+                          {{QStringLiteral("path"), scans},
+                           {QStringLiteral("as"), QStringLiteral("series")},
+                           {QStringLiteral("plane"), QStringLiteral("coronal")}});
+  qsizetype before = 0;
+  for (const int spacing : {40, 20}) {
+    one[QStringLiteral("spacing")] = spacing;
+    folder.write(QStringLiteral("jobs"), listOf({one}));
+    const Outcome a = folder.batch();
+    QVERIFY2(a.status == 0, a.out + a.err);
+    QCOMPARE(endsIn(a.out), all(1, QStringLiteral("done")));
+    const qsizetype count = QDir(folder.at(QStringLiteral("made"))).entryList(QDir::Files).size();
+    QVERIFY(count > before);
+    before = count;
+  }
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
+  QCOMPARE(folder.files().size(), 4);
 }
 
 void TestBatchSafety::otherFoldersStay() {
