@@ -1,75 +1,19 @@
 // Guards File > Export... by real events: each choice leaves as the object that it says, whole, with the
-// values that are shown, with or without the patient's identity; what fails or is cancelled leaves nothing.
-#include <dcmtk/config/osconfig.h>
-#include <dcmtk/dcmdata/dctk.h>
-
+// values that are shown, with or without the patient's identity.
 #include <QMimeData>
-#include <QScopeGuard>
 #include <QTreeWidgetItemIterator>
 #include <memory>
 
-#include "io/export/dicom_series.h"
 #include "io/export/read_segments.h"
 #include "io/load.h"
 #include "io/open.h"
 #include "io/report.h"
-#include "tests/fixtures/mount_disk.h"
 #include "tests/fixtures/program.h"
-#include "tests/ui/leaving.h"
-#include "tests/ui/marked_window.h"
+#include "tests/ui/export_window.h"
 #include "tests/unit/suite.h"
-#include "viewer/phantoms/phantoms.h"
 
 using namespace volumen;
 using namespace volumen::tests;
-
-namespace {
-
-// A CT of a head with a name, and a window on it with a length, a key image and a segment.
-struct ExportWindow : MarkedWindow {
-  using MarkedWindow::MarkedWindow;
-
-  QString status() { return child<QLabel>("toldText")->text(); }
-
-  // Chooses what leaves by keys in the dialog. Returns whether it is offered.
-  bool ask(const char* choice) {
-    child<QAction>("exportFiles")->trigger();
-    auto* box = child<QComboBox>("exportChoice");
-    const int n = box ? box->findText(QLatin1String(choice)) : -1;
-    while (n >= 0 && box->currentIndex() < n) QTest::keyClick(box, Qt::Key_Down);
-    return n >= 0 && box->currentIndex() == n;
-  }
-  // Returns what is offered for the view in focus.
-  QStringList choices() {
-    child<QAction>("exportFiles")->trigger();
-    const auto* box = child<QComboBox>("exportChoice");
-    QStringList all;
-    for (int n = 0; box && n < box->count(); ++n) all << box->itemText(n);
-    QTest::keyClick(child<QDialog>("exportDialog"), Qt::Key_Escape);
-    // A closed dialog would be found in place of the next one.
-    return QTest::qWaitFor([&] { return !child<QDialog>("exportDialog"); }, longest) ? all : QStringList();
-  }
-  void answerWith(const QString& folder) {
-    click("exportButton");
-    answer(*this, "exportFolderDialog", folder);
-  }
-  // Exports into a folder and waits until all is written.
-  bool leave(const char* choice, const QString& folder) {
-    if (!ask(choice)) return false;
-    answerWith(folder);
-    return QTest::qWaitFor([&] { return status().startsWith(QStringLiteral("Saved")); }, longest) && idle();
-  }
-};
-
-std::string textIn(const QString& path, const DcmTagKey& tag) {
-  DcmFileFormat file;
-  OFString text;
-  if (file.loadFile(path.toStdString().c_str()).good())
-    file.getDataset()->findAndGetOFStringArray(tag, text, OFTrue);
-  return text.c_str();
-}
-
-}  // namespace
 
 class TestFileExports : public QObject {
   Q_OBJECT
@@ -85,11 +29,6 @@ class TestFileExports : public QObject {
   void identityIsLeftOut();
   void facesAreLeftOut();
   void draggedSeriesAreFiles();
-  void whatFailsLeavesNothing();
-  void aDiskThatTakesNothingIsSaid_data();
-  void aDiskThatTakesNothingIsSaid();
-  void cancelledTurnLeavesNothing();
-  void nothingToExportIsSaid();
 
  private:
   QTemporaryDir data_;
@@ -97,11 +36,8 @@ class TestFileExports : public QObject {
 };
 
 void TestFileExports::initTestCase() {
-  DicomSeriesTags tags;
-  tags.patientName = "Doe^Jane", tags.patientId = "PAT4711", tags.studyUid = "1.2.3.1", tags.modality = "CT";
   ct_ = data_.filePath(QStringLiteral("ct"));
-  const Result<VolumePtr> head = makePhantom("ct-head:40");
-  QVERIFY(head && writeDicomSeries(**head, tags, ct_.toStdString()));
+  QVERIFY(writeNamedHead(ct_));
 }
 
 void TestFileExports::eachChoiceIsOneObject_data() {
@@ -335,98 +271,6 @@ void TestFileExports::draggedSeriesAreFiles() {
   }
   leaveIdentityOut(false);
   w.window.end();
-}
-
-void TestFileExports::whatFailsLeavesNothing() {
-  ExportWindow w(ct_);
-  QVERIFY(w.prepare());
-  const QTemporaryDir folder;
-  const QString there = folder.filePath(QStringLiteral("there"));
-  QVERIFY(QDir().mkdir(there));
-  QVERIFY(w.ask("Its segments as they are now"));
-  w.click("exportButton");
-  QVERIFY(QDir(there).removeRecursively());
-  QFile inTheWay(there);
-  QVERIFY(inTheWay.open(QIODevice::WriteOnly));
-  inTheWay.close();
-  QVERIFY(w.idle());
-  auto* dialog = w.window.findChild<QFileDialog*>(QStringLiteral("exportFolderDialog"));
-  QVERIFY(dialog);
-  Q_EMIT dialog->fileSelected(there);
-  const auto* banner = w.child<QWidget>("banner");
-  QVERIFY(banner);
-  QTRY_VERIFY_WITH_TIMEOUT(banner->isVisible(), longest);
-  QCOMPARE(filesAt(folder.path()), QStringList{there});
-  QCOMPARE(contentsOf(there), QByteArray());
-  w.window.end();
-}
-
-void TestFileExports::aDiskThatTakesNothingIsSaid_data() {
-  QTest::addColumn<unsigned long>("flags");
-  QTest::addColumn<QByteArray>("options");
-  QTest::newRow("read-only") << (unsigned long)(MS_RDONLY) << QByteArray();
-  QTest::newRow("no file can be made") << 0ul << QByteArray("nr_inodes=1");
-  QTest::newRow("full") << 0ul << QByteArray("size=4k");
-}
-
-// Every choice of a view of slices and of the 3D view.
-void TestFileExports::aDiskThatTakesNothingIsSaid() {
-  QFETCH(unsigned long, flags);
-  QFETCH(QByteArray, options);
-  ExportWindow w(ct_);
-  QVERIFY(w.prepare());
-  w.child<QAction>("layoutPlanes")->trigger();
-  const QTemporaryDir disk;
-  const QByteArray folder = disk.path().toUtf8();
-  MOUNT_DISK(folder.constData(), flags, options.constData());
-  const auto unmount = qScopeGuard([&] { umount(folder.constData()); });
-  if (QFile all(disk.filePath(QStringLiteral("all"))); all.open(QIODevice::WriteOnly))
-    all.write(QByteArray(4096, 'x'));
-  const auto files = [&] {
-    return QDir(disk.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
-  };
-  const QStringList before = files();
-  for (const ViewId view : {axialViewId, sceneViewId}) {
-    w.session().setFocus(view);
-    QVERIFY(w.idle());
-    const QStringList choices = w.choices();
-    QVERIFY(choices.size() > 6);
-    for (const QString& choice : choices) {
-      auto* banner = w.child<QWidget>("banner");
-      banner->hide();
-      QVERIFY2(w.ask(qPrintable(choice)), qPrintable(choice));
-      w.answerWith(disk.path());
-      QTRY_VERIFY2_WITH_TIMEOUT(banner->isVisible(), qPrintable(choice), longest);
-      QVERIFY(w.idle());
-      QVERIFY2(files() == before, qPrintable(choice));
-    }
-  }
-  w.window.end();
-}
-
-void TestFileExports::cancelledTurnLeavesNothing() {
-  ExportWindow w(ct_);
-  QVERIFY(w.prepare());
-  w.child<QAction>("layoutPlanes")->trigger();
-  w.session().setFocus(sceneViewId);
-  const QTemporaryDir folder;
-  QVERIFY(w.ask("A full turn in 36 pictures"));
-  QVERIFY(!w.child<QCheckBox>("exportHideNames")->isEnabled());
-  w.answerWith(folder.path());
-  QTRY_VERIFY_WITH_TIMEOUT(!w.window.jobs().rows().empty(), longest);
-  w.window.jobs().cancel(w.window.jobs().rows()[0].id);
-  QVERIFY(w.idle());
-  QVERIFY(filesAt(folder.path()).isEmpty());
-  QVERIFY(w.leave("A full turn in 36 pictures", folder.path()));
-  QCOMPARE(textIn(folder.filePath(QStringLiteral("turn.dcm")), DCM_NumberOfFrames), std::string("36"));
-  w.window.end();
-}
-
-void TestFileExports::nothingToExportIsSaid() {
-  SegmentWindow w;
-  w.child<QAction>("exportFiles")->trigger();
-  QVERIFY(!w.child<QDialog>("exportDialog"));
-  QVERIFY(w.child<QWidget>("banner")->isVisible());
 }
 
 VOLUMEN_TEST(TestFileExports);
