@@ -40,7 +40,7 @@ struct LastOpened {
 };
 LastOpened last;
 
-// Returns loadSeries(), or what it returned before.
+// Loads a series, unless it is the last one loaded and is kept.
 Result<Loaded> loadOnce(const Series& series, const Progress& progress, const CancelToken& cancel) {
   if (last.loaded && last.series == series) return *last.loaded;
   last.loaded.reset();  // two volumes may not fit into memory

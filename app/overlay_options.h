@@ -26,9 +26,9 @@ struct Overlay {
 /// Adds --overlay, --overlay-series, --overlay-window, --overlay-colours and --overlay-opacity.
 void addOverlayOptions(CLI::App& app, OverlayOptions& options);
 
-/// Opens the series of the options, with notes in `under`, the series below; empty if there is none. Without
-/// a path it is one of `underPath`. Its window is that of overlays in the window. The Error: it cannot be
-/// read, or is that of relationOfSpaces().
+/// Opens the overlay that the options name, or returns nothing if they name none. Without a path it is a
+/// series of `underPath`. Notes are added to `under`, the series below. The window is that of overlays in the
+/// desktop program. The Error: it cannot be read, or is that of relationOfSpaces().
 Result<std::optional<Overlay>> openOverlay(const OverlayOptions& options, const RelationOptions& relation,
                                            const std::string& underPath, Opened& under,
                                            const CancelToken& cancel);

@@ -26,10 +26,9 @@ struct SessionView {
 /// it is missing or has changed.
 Result<SessionView> readSessionView(const std::string& path, const CancelToken& cancel);
 
-/// Returns whether the view shows the volume, of its series, only inside or outside of segments.
+/// Returns whether the view masks the volume of its series by segments.
 bool showsTissueApart(const SessionView& session, const Volume& volume);
-/// Returns the volume with air where the view shows none of it then. The Error: cancelled, or too little
-/// memory.
+/// Returns the volume with air where that mask hides it. The Error: cancelled, or too little memory.
 Result<VolumePtr> tissueAlone(const SessionView& session, const Volume& volume, const CancelToken& cancel);
 
 }  // namespace volumen

@@ -25,10 +25,10 @@ struct SpaceRelation {
 /// Adds --register and --registration.
 void addRelationOptions(CLI::App& app, RelationOptions& options);
 
-/// Returns how the patient spaces of two series relate: by the options, else they must be in one frame of
-/// reference. A series without one is taken to be in that of the other, which a note says; another one, that
-/// the patients differ. The Error: they are in two frames of reference, not linked in the session, or cannot
-/// be registered.
+/// Returns how the patient spaces of two series relate. Without options both must be in one frame of
+/// reference. A series without a frame of reference is taken to be in that of the other, which a note says.
+/// Another note says that the patients differ. The Error: they are in two frames of reference that the
+/// session does not link, or they cannot be registered.
 Result<SpaceRelation> relationOfSpaces(const Opened& from, const Opened& to, const RelationOptions& options,
                                        const CancelToken& cancel);
 

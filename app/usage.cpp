@@ -157,6 +157,7 @@ std::string usageProblem(const CLI::ParseError& error, const CLI::App& app) {
   if (dynamic_cast<const CLI::ExcludesError*>(&error))
     if (const auto at = text.find(" excludes "); at != std::string::npos)
       return text.substr(0, at) + " does not go with " + text.substr(at + 10) + ".";
+  if (dynamic_cast<const CLI::RequiresError*>(&error)) return text + ".";
   const std::string name = text.substr(0, text.find(':'));
   if (text.find("At Most 1") != std::string::npos) return name + " is given more than once.";
   if (dynamic_cast<const CLI::ArgumentMismatch*>(&error) && text.ends_with("missing"))

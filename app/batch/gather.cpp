@@ -40,7 +40,7 @@ std::string harmless(const std::string& name) {
   return harmlessName(QString::fromStdString(name)).toStdString();
 }
 
-// A table whose columns are found while rows come.
+// Collects rows into one table. Columns are added as files bring them.
 class Gathered {
  public:
   Gathered() : names_{"line", "path", "file"} {}

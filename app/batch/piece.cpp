@@ -17,7 +17,7 @@ using JobJson = nlohmann::ordered_json;
 
 constexpr std::string_view kinds[] = {"render", "slice", "segment", "measure", "info", "convert", "export"};
 constexpr std::string_view writes[] = {"output", "csv", "stats", "error-map"};
-// These change the whole process.
+// These options hold for a whole process, so pieces with them share none with others.
 constexpr std::string_view alone[] = {"strict", "largest-frame"};
 
 std::string listOfKinds() {

@@ -25,10 +25,11 @@ struct Piece {
 /// Returns the name of an output without the '/' behind a folder.
 std::string bareName(const std::string& output);
 
-/// Reads a list of work: a JSON object a line with "command", "path" (a text, or a list of them), "output" or
-/// "csv", and long options of the command without dashes; true is a flag, a list stands for its texts with
-/// commas. Empty lines and those that begin with # count but are no work. The Error names the line: it is no
-/// such object, has an unknown command or option or no output, or writes what another line writes.
+/// Reads a list of work, a JSON object a line. Its keys are "command", "path" (a text or a list of texts),
+/// "output" or "csv", and long options of the command without dashes. The value true sets a flag, and a list
+/// stands for its texts joined by commas. Empty lines and lines that begin with # are skipped. The Error
+/// names the line: it is no JSON object, has an unknown command or option, has no output, or writes a file
+/// that another line writes.
 Result<std::vector<Piece>> readPieces(std::string_view list, const CommandLine& commands);
 
 }  // namespace volumen

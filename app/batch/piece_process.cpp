@@ -31,7 +31,7 @@ struct PieceAnswer {
   std::uint64_t peakBytes = 0;
 };
 
-// Lets the kernel count the peak of memory anew.
+// Resets the kernel's count of peak memory (VmHWM).
 void forgetPeak() { std::ofstream("/proc/self/clear_refs") << 5; }
 
 std::uint64_t peakOfMemory() {

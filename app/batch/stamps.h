@@ -12,9 +12,9 @@ namespace volumen {
 /// ".volumen-stamp" behind its name.
 std::string stampFile(const Piece& piece);
 
-/// What pieces of work are made of: the version of the program, the command line, and names, sizes and times
-/// of all files that are read, among them scenes, recipes and the user's presets. Of studies in archives it
-/// is their names alone.
+/// Makes the stamps of pieces. A stamp holds the version of the program, the command line, and names, sizes
+/// and times of all files that are read, including scenes, shapes and the user's presets. A study of an
+/// archive counts by its name alone.
 class Stamps {
  public:
   explicit Stamps(const CancelToken& cancel) : cancel_(cancel) {}

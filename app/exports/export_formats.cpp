@@ -36,7 +36,7 @@ bool isGiven(const CLI::App& app, const char* name) {
 
 const Options captureOptions = joined({"--frame-ms"}, sceneOptions);
 
-// The Error: one of these options is given; `why` is the rest of the sentence.
+// Returns an Error if one of the options is given. `why` completes its sentence.
 Status checkNone(const CLI::App& app, const Options& options, const char* why) {
   const auto found = std::ranges::find_if(options, [&](const char* name) { return isGiven(app, name); });
   return found == options.end() ? Status() : Status(Error{std::string(*found) + why});

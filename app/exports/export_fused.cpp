@@ -40,7 +40,7 @@ CaptureTags fusedTags(const SliceStack& stack, const Opened& under, const Overla
                     wordsOf(stack.first.interpolation) + " interpolation, window " + first.window +
                     "; over it " + overlay.words + "; written by volumen " VOLUMEN_VERSION;
   tags.hasNames = false;
-  // All slices together show a face.
+  // The slices together may show a face in 3D.
   tags.showsFace = showsFaceIn3d(under.series);
   return tags;
 }

@@ -62,7 +62,7 @@ Result<Exported> writeStack(const ExportJob& job, const SliceStack& stack, Serie
   return writeMade(job, source, *made, tagsOf, cancel);
 }
 
-// Writes the slices as they are, but for the parts that were taken away.
+// Writes slices on their own grid, after parts were taken away.
 Result<Exported> writeOwnGrid(const ExportJob& job, SeriesSource source, const CancelToken& cancel) {
   noteKeptTilt(source.opened);
   const auto tagsOf = [](DicomSeriesTags tags) { return tags; };
@@ -121,7 +121,7 @@ bool hasStack(const ExportJob& job) {
   return job.hasPlane || job.spacingMm || !job.plane.size.empty() || !job.shapes.empty();
 }
 
-// The Error: parts are taken away, but others should be, too, or colours be laid over them.
+// Refuses --deface and --overlay for a series from which parts are taken away.
 Status checkAlone(const ExportJob& job) {
   if (!job.deface && !job.overlay.isGiven()) return {};
   return Error{

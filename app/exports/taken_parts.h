@@ -9,10 +9,10 @@
 
 namespace volumen {
 
-/// Replaces by air what a job takes away of the displayed volume (--remove-table, --segments), or what the 3D
-/// view of its session leaves out of it, adds a note on that, and returns what it was in words; empty if it
-/// is nothing. The Error: values are not HU, the segments cannot be read or hold no voxel, cancelled, or too
-/// little memory.
+/// Replaces parts of the displayed volume by air: those of --remove-table and --segments, or those that the
+/// 3D view of the session leaves out. Adds a note, and returns the parts in words; empty if there are none.
+/// The Error: values are not HU, the segments cannot be read or hold no voxel, cancelled, or too little
+/// memory.
 Result<std::optional<TakenAway>> takePartsAway(const ExportJob& job,
                                                const std::optional<SessionView>& session, Opened& opened,
                                                const CancelToken& cancel);

@@ -38,9 +38,9 @@ struct DeidentifiedFile {
 Result<DeidentifiedFile> deidentifiedFile(const std::string& path, const Deidentification& how,
                                           const CancelToken& cancel);
 
-/// Returns the same of a picture of one frame, with pixels from which the face was taken: uncompressed,
-/// DERIVED, with Recognizable Visual Features NO and the code of that option. The Error also: its own pixels
-/// are not as many words of 16 bits.
+/// Returns a picture of one frame de-identified in the same way, with `pixels` in place of its own. `pixels`
+/// lack the face, so the picture is DERIVED, with Recognizable Visual Features NO and the code of that
+/// option, and uncompressed. The Error also: its own pixels are not as many words of 16 bits.
 Result<DeidentifiedFile> facelessFile(const std::string& path, const StoredSlice& pixels,
                                       const Deidentification& how, const CancelToken& cancel);
 

@@ -41,8 +41,8 @@ struct DicomSeriesTags : SeriesIdentity {
   std::vector<SliceOrigin> origins;  ///< slices of the source that each slice of the volume comes from
   /// In place of `origins`, if slices lie on other planes. The series is then a new one each time.
   std::optional<Resampling> resampling;
-  /// What of the source is replaced by air, for DerivationDescription: "the table". Empty if nothing is; else
-  /// the series is a new one each time.
+  /// The parts that were replaced by air, for DerivationDescription: "the table". Empty if there are none. A
+  /// series with such parts gets new UIDs each time.
   std::string takenAway;
   bool isDefaced = false;  ///< `takenAway` is the face (defaced()): said in the attribute meant for it
 };

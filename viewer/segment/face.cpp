@@ -26,7 +26,7 @@ struct Skull {
   double scaled(double ofAdultMm) const { return ofAdultMm * depthMm / adultDepthMm; }
 };
 
-// A head in cells, with the depth of each below the surface; none where that is not in the volume.
+// The cells of a head, and the depth of each below its surface in mm. Where the volume ends is no surface.
 struct Head {
   BitMask body;
   std::vector<float> depths;

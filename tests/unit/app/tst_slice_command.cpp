@@ -198,7 +198,7 @@ void TestSliceCommand::wrongUsageIsRefused_data() {
   row("-o a.jpg", "written as .png");
   row("-o a.png --plane axail", "is not one of axial, coronal, sagittal");
   row("-o a.png --slabmode max", "Did you mean --slab-mode?");
-  row("-o a.png --slab-mode max", "--slab-mode requires --slab");
+  row("-o a.png --slab-mode max", "--slab-mode requires --slab.");
   row("-o a.png --slab -1", "--slab");
   row("-o a.png --interpolation spline", "linear, nearest, cubic");
   row("-o a.png --at 1 --index 2", "does not go with");
