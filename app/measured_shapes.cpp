@@ -4,7 +4,6 @@
 
 #include "io/regular_file.h"
 #include "io/study/frame_series.h"
-#include "viewer/measure/scaled.h"
 #include "viewer/measure/shape_json.h"
 
 namespace volumen {
@@ -61,14 +60,6 @@ Result<ShapeSources> openForShapes(const Study& study, const std::string& path, 
   frames.insert(frames.end(), study.volumes.begin(), study.volumes.end());
   sources.frames = FramesToMeasure(std::move(frames));
   return sources;
-}
-
-MeasuredShape measuredShape(const Shape& shape, ShapeSources& sources, const ValueScale& scale,
-                            const std::string& unit, const CancelToken& cancel) {
-  if (shape.frame)
-    return measuredOnFrame(shape, sources.frames,
-                           [&](const Series& series) { return scaleFor(series, unit); });
-  return {scaled(measure(shape, *sources.volume->loaded.drawn, scale.unit, cancel), scale.factor)};
 }
 
 ShapesVolume volumeOf(const ShapeSources& sources) {

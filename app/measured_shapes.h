@@ -35,10 +35,6 @@ Result<ShapeSources> openForShapes(const Study& study, const std::string& path, 
                                    const std::vector<Shape>& shapes, bool needsVolume, const MemoryUse& use,
                                    const CancelToken& cancel);
 
-/// Measures a shape on its frame, or in the volume, whose values have `scale`. `unit` as for scaleFor().
-MeasuredShape measuredShape(const Shape& shape, ShapeSources& sources, const ValueScale& scale,
-                            const std::string& unit, const CancelToken& cancel);
-
 /// Returns the volume of the sources, if there is one, to measure shapes in.
 ShapesVolume volumeOf(const ShapeSources& sources);
 /// Returns shapes with the names of shapeWords(); those that are not on frames are in `volume`.

@@ -86,16 +86,22 @@ Result<SceneToDraw> SceneToDraw::load(const DrawnOptions& options, const AskedSc
   auto opened =
       session ? openSeries(session->series, cancel) : openVolume(options.path, options.series, cancel);
   if (!opened) return opened.error();
+  return of(*std::move(opened), options, asked, cancel);
+}
+
+Result<SceneToDraw> SceneToDraw::of(Opened opened, const DrawnOptions& options, const AskedScene& asked,
+                                    const CancelToken& cancel) {
+  const auto& session = asked.session;
   SceneToDraw drawn;
-  drawn.series = opened->series, drawn.notes = opened->notes;
-  drawn.warnings = opened->loaded.warnings, drawn.unread = opened->loaded.unread;
-  const VolumePtr whole = opened->loaded.drawn;
+  drawn.series = opened.series, drawn.notes = opened.notes, drawn.timePoints = opened.timePoints;
+  drawn.warnings = opened.loaded.warnings, drawn.unread = opened.loaded.unread;
+  const VolumePtr whole = opened.loaded.drawn;
   std::vector<SegmentInScene> segments;
   if (session) segments = segmentsOf(*session, *whole, drawn.notes, cancel);
   const Mask mask = session ? session->mask : Mask{options.removeTable, {}};
   if (!mask.empty())
-    if (Status taken = takeAway(mask, *opened, cancel); !taken) return taken.error();
-  drawn.volume_ = opened->loaded.drawn;
+    if (Status taken = takeAway(mask, opened, cancel); !taken) return taken.error();
+  drawn.volume_ = opened.loaded.drawn;
   const bool isApart = session && showsTissueApart(*session, *drawn.volume_);
   if (isApart) {
     const auto left = tissueAlone(*session, *drawn.volume_, cancel);
@@ -133,6 +139,12 @@ Result<Plan> SceneToDraw::plan(const RenderOptions& options, int n, int pictures
   Scene next = first->scene;
   *next.camera = turned(*next.camera, 360.0 * n / pictures);
   return makePlan(next, caches_->facts(), options);
+}
+
+Result<Scene> SceneToDraw::sceneForOthers(const RenderOptions& options) const {
+  const auto first = makePlan(scene_, caches_->facts(), options);
+  if (!first) return first.error();
+  return asWhole(first->scene, *volume_);
 }
 
 PictureText SceneToDraw::textOf(const Rendered& done) const {

@@ -42,12 +42,18 @@ class SceneToDraw {
   static Result<SceneToDraw> load(const DrawnOptions& options, const AskedScene& asked,
                                   const CancelToken& cancel);
 
+  /// Does the same with a volume that was opened.
+  static Result<SceneToDraw> of(Opened opened, const DrawnOptions& options, const AskedScene& asked,
+                                const CancelToken& cancel);
+
   /// Takes a reduced copy of the volume, with a note and a warning, if there is too little memory for it. The
   /// Error: even that does not fit.
   Status fitToMemory(const std::string& path, const RenderOptions& options);
   /// Returns the plan of picture `n` of a turn of `pictures`. The Error (wrong usage): options contradict
   /// each other.
   Result<Plan> plan(const RenderOptions& options, int n, int pictures) const;
+  /// Returns the scene with camera and window as they are in plan(), for other volumes of the series.
+  Result<Scene> sceneForOthers(const RenderOptions& options) const;
   /// Returns the text entries of a picture's PNG.
   PictureText textOf(const Rendered& done) const;
 
@@ -59,6 +65,7 @@ class SceneToDraw {
   std::vector<std::string> notes{};  ///< sentences for stderr
   std::vector<Warning> warnings{};
   std::vector<Unread> unread{};
+  std::vector<Series> timePoints{};  ///< as in Opened
 
  private:
   VolumePtr volume_;

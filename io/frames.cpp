@@ -1,6 +1,10 @@
 #include "io/frames.h"
 
+#include <algorithm>
+#include <iterator>
+
 #include "io/dicom/import.h"
+#include "io/dicom/parallel.h"
 #include "io/frame_limit.h"
 #include "io/study/image.h"
 
@@ -49,6 +53,24 @@ Result<PresentedFrame> presented(const std::string& path, std::uint64_t pixels,
   return PresentedFrame{std::move(*loaded), std::move(how)};
 }
 
+/// Frames of one file that are read together.
+struct FramesOfFile {
+  std::string path;
+  std::vector<int> frames;
+};
+
+std::vector<FramesOfFile> framesByFile(const Series& series, const std::vector<int>& indices) {
+  constexpr std::size_t mostTogether = 64;  // of those that must be decoded, within the time of one answer
+  std::vector<FramesOfFile> all;
+  for (const int index : indices) {
+    const std::string& path = series.files[std::size_t(index)];
+    if (all.empty() || all.back().path != path || all.back().frames.size() == mostTogether)
+      all.push_back({path, {}});
+    all.back().frames.push_back(series.frames[std::size_t(index)]);
+  }
+  return all;
+}
+
 }  // namespace
 
 Result<Frame> loadFrame(const Image& image, int index) {
@@ -59,6 +81,23 @@ Result<Frame> loadFrame(const Series& series, int index, const Progress& progres
   if (const Status there = checkIndex(series, index); !there) return there.error();
   return dicom::loadFrame(series.files[std::size_t(index)], series.frames[std::size_t(index)],
                           pixelsOf(series), {}, progress);
+}
+
+Result<std::vector<Frame>> loadFrameGreys(const Series& series, const std::vector<int>& indices,
+                                          const CancelToken& cancel) {
+  for (const int index : indices)
+    if (const Status there = checkIndex(series, index); !there) return there.error();
+  const auto files = framesByFile(series, indices);
+  std::vector<Result<std::vector<Frame>>> read(files.size(), std::vector<Frame>());
+  dicom::forEachParallel(files.size(), "reading", {}, cancel, [&](std::size_t n) {
+    read[n] = dicom::loadFrameGreys(files[n].path, files[n].frames, pixelsOf(series));
+  });
+  std::vector<Frame> all;
+  for (auto& some : read) {
+    if (!some) return some.error();
+    std::ranges::move(*some, std::back_inserter(all));
+  }
+  return all;
 }
 
 Result<Frame> loadSmallFrame(const Image& image, int index, int edge) {

@@ -3,6 +3,7 @@
 #include "io/presentation.h"
 #include "io/study/progress.h"
 #include "viewer/slice/frame.h"
+#include "viewer/volume/cancel.h"
 
 namespace volumen {
 
@@ -17,6 +18,12 @@ Result<Frame> loadFrame(const Image& image, int index);
 
 /// Reads the frame of slice `index` (from 0) of a DICOM series. `progress` reports the bytes of its pixels.
 Result<Frame> loadFrame(const Series& series, int index, const Progress& progress = {});
+
+/// Returns frames of a DICOM series by index, ascending, as loadFrame() does, but without values, colours,
+/// overlays and shutter: nothing is decoded unless greys follow from values. Frames in colour have no greys.
+/// After `cancel`, frames are missing.
+Result<std::vector<Frame>> loadFrameGreys(const Series& series, const std::vector<int>& indices,
+                                          const CancelToken& cancel = {});
 
 /// Reads a frame for a picture whose longer side has `edge` pixels. Large grey frames are reduced to means of
 /// blocks, no smaller than that picture needs, without overlays and shutter.

@@ -50,12 +50,13 @@ void addNotes(Opened& opened, const ValueScale& scale, bool hasShapes) {
 nlohmann::ordered_json measurementsOf(const std::vector<Shape>& shapes, ShapeSources& sources,
                                       const ValueScale& scale, const MeasureOptions& options,
                                       std::vector<const Series*>& used, const CancelToken& cancel) {
+  const ShapesVolume volume = volumeOf(sources);
+  const auto scaleOf = [&](const Series& series) { return scaleFor(series, options.unit); };
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const Shape& shape : shapes) {
-    if (cancel.cancelled()) break;
-    const MeasuredShape one = measuredShape(shape, sources, scale, options.unit, cancel);
-    if (one.series) used.push_back(one.series);
-    all.push_back(jsonOf(shape, one.measured, scale.factor));
+  const auto measured = measuredShapes(shapesToMeasure(shapes, volume), sources.frames, scaleOf, cancel);
+  for (std::size_t n = 0; n < shapes.size(); ++n) {
+    if (measured[n].series) used.push_back(measured[n].series);
+    all.push_back(jsonOf(shapes[n], measured[n].measured, scale.factor));
   }
   return all;
 }

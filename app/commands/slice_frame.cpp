@@ -3,13 +3,13 @@
 #include <QImage>
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 #include <functional>
 #include <iostream>
 #include <limits>
 #include <utility>
 
 #include "app/command.h"
+#include "app/frame_picture.h"
 #include "app/open_volume.h"
 #include "app/picture_output.h"
 #include "app/report_files.h"
@@ -107,22 +107,6 @@ Result<std::pair<Source, int>> presentedSource(const Study& study, const FrameOp
   return *named;
 }
 
-QImage imageOf(const std::vector<std::uint8_t>& bytes, glm::ivec2 size, bool colour) {
-  const std::size_t width = std::size_t(size.x) * (colour ? 3 : 1);
-  QImage image(size.x, size.y, colour ? QImage::Format_RGB888 : QImage::Format_Grayscale8);
-  for (int y = 0; y < size.y; ++y)
-    std::memcpy(image.scanLine(y), bytes.data() + width * std::size_t(y), width);
-  return image;
-}
-
-// Returns the frame in 8 bits, 3 or 1 a pixel.
-std::vector<std::uint8_t> bytesOf(const Frame& frame, const std::optional<Window>& window) {
-  if (frame.colour()) return frame.rgb;
-  GreyMapping grey = frame.greys.front().mapping;
-  if (window) grey.window = *window, grey.table = {};
-  return frame.values.greyBytes(grey);
-}
-
 void closeShutter(const Frame& frame, std::vector<std::uint8_t>& bytes) {
   const std::size_t channels = frame.colour() ? 3 : 1;
   const auto grey = std::uint8_t(255 * frame.shutterGrey + 0.5f);
@@ -155,7 +139,8 @@ Status write(const Frame& frame, const FrameOptions& options) {
   if (isFloatPicture(options.output))
     return frame.colour() ? writeColourNrrd(frame.size, frame.rgb, options.output)
                           : writeRows(frame.size, options.output, rowAt);
-  return writeImage(imageOf(bytesOf(frame, options.window), frame.size, frame.colour()), options.output);
+  return writeImage(pictureOfBytes(frameBytes(frame, options.window), frame.size, frame.colour()),
+                    options.output);
 }
 
 Status write(const PresentedFrame& shown, const FrameOptions& options) {
@@ -172,13 +157,13 @@ Status write(const PresentedFrame& shown, const FrameOptions& options) {
     return row;
   };
   if (isFloatPicture(options.output) && !frame.colour()) return writeRows(grid.size(), options.output, rowAt);
-  std::vector<std::uint8_t> bytes = bytesOf(frame, options.window);
+  std::vector<std::uint8_t> bytes = frameBytes(frame, options.window);
   if (isFloatPicture(options.output))
     return writeColourNrrd(grid.size(), presentPixels(grid, bytes, frame.size, channels, std::uint8_t(0)),
                            options.output);
   closeShutter(frame, bytes);
-  QImage image =
-      imageOf(presentPixels(grid, bytes, frame.size, channels, std::uint8_t(0)), grid.size(), frame.colour());
+  QImage image = pictureOfBytes(presentPixels(grid, bytes, frame.size, channels, std::uint8_t(0)),
+                                grid.size(), frame.colour());
   if (options.graphics) {
     prepareFonts();
     paintGraphics(image, shown.how, grid);

@@ -99,8 +99,7 @@ Result<ChosenPictures> choosePictures(const std::string& path, const Study& stud
                                      : finder.largest();
   if (!found) return found.error();
   ChosenPictures chosen{**found, {}, finder.isVolume(*found), {}};
-  if (chosen.series.format != "DICOM")
-    return Error{chosen.series.path + " holds no DICOM images, which a DICOM object must name."};
+  if (chosen.series.format != "DICOM") return Error{chosen.series.path + " holds no DICOM images."};
   if (series.empty() && held.empty() && finder.count() > 1)
     chosen.notes.push_back(path + " holds several series; the pictures are those of \"" +
                            seriesText(chosen.series).toStdString() + "\". Choose others with --series.");

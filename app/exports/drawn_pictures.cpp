@@ -42,11 +42,14 @@ Status takeStack(const Opened& opened, const SliceStack& stack, const SliceLook&
   return {};
 }
 
+Error onlyOneTimePoint(const Series& series) {
+  return Error{"Series " + series.id + " has only one time point: leave --time-points out."};
+}
+
 // Reads one time point after another.
 Status takeTimePoints(Opened& opened, const SlicePlane& plane, const std::optional<Window>& window,
                       const PictureTaker& taker, const CancelToken& cancel) {
-  if (opened.timePoints.empty())
-    return Error{"Series " + opened.series.id + " has only one time point: leave --time-points out."};
+  if (opened.timePoints.empty()) return onlyOneTimePoint(opened.series);
   const Window shown = window ? *window : firstWindow(*opened.loaded.drawn, opened.series.unit);
   if (Status s = taker.begin(opened.series, int(opened.timePoints.size())); !s) return s;
   for (const Series& step : opened.timePoints) {
@@ -66,20 +69,48 @@ Result<SliceStack> slicesOf(const ExportJob& job, SlicesDrawn which, const Asked
   return SliceStack{*plane, 1, 1};
 }
 
+// Draws picture `n` of a turn of `pictures`.
+Status takeRendering(const SceneToDraw& drawn, const RenderOptions& options, int n, int pictures,
+                     const PictureTaker& taker, const CancelToken& cancel) {
+  const auto plan = drawn.plan(options, n, pictures);
+  if (!plan) return plan.error();
+  const auto done = render(*plan, drawn.caches(), cancel);
+  if (!done) return done.error();
+  QImage image = imageForFile(done->picture);
+  PictureText text = drawn.textOf(*done);
+  addWarnings(image, text, drawn.warnings, true);
+  return taker.take(image, text);
+}
+
 Status takeTurn(const SceneToDraw& drawn, const RenderOptions& options, int pictures,
                 const PictureTaker& taker, const CancelToken& cancel) {
   const Progress progress = terminalProgress();
   for (int n = 0; n < pictures; ++n) {
-    const auto plan = drawn.plan(options, n, pictures);
-    if (!plan) return plan.error();
-    const auto done = render(*plan, drawn.caches(), cancel);
-    if (!done) return done.error();
-    QImage image = imageForFile(done->picture);
-    PictureText text = drawn.textOf(*done);
-    addWarnings(image, text, drawn.warnings, true);
-    if (Status s = taker.take(image, text); !s) return s;
+    if (Status s = takeRendering(drawn, options, n, pictures, taker, cancel); !s) return s;
     if (pictures > 1 && progress) progress("rendering", std::size_t(n) + 1, std::size_t(pictures));
   }
+  return {};
+}
+
+// Returns the scene of a job, fit to memory.
+Result<SceneToDraw> sceneToDraw(const DrawnOptions& how, const AskedScene& asked, const CancelToken& cancel) {
+  if (Status s = checkPlan(how.scene, asked.scene, asked.options); !s) return s.error();
+  auto drawn = SceneToDraw::load(how, asked, cancel);
+  if (!drawn) return drawn.error();
+  if (Status s = drawn->fitToMemory(how.path, asked.options); !s) return s.error();
+  return drawn;
+}
+
+// Draws a time point as `asked` has it.
+Status takeTimePoint(const Series& step, const DrawnOptions& how, const AskedScene& asked,
+                     const PictureTaker& taker, Exported& exported, const CancelToken& cancel) {
+  auto opened = openSeries(step, cancel);
+  if (!opened) return opened.error();
+  auto drawn = SceneToDraw::of(*std::move(opened), how, asked, cancel);
+  if (!drawn) return drawn.error();
+  if (Status s = drawn->fitToMemory(how.path, asked.options); !s) return s;
+  if (Status s = takeRendering(*drawn, asked.options, 0, 1, taker, cancel); !s) return s;
+  addUnread(exported.unread, drawn->unread);
   return {};
 }
 
@@ -128,15 +159,43 @@ Result<Exported> drawTurn(const ExportJob& job, int pictures, const PictureTaker
   if (!render) return render.error();
   const auto asked = readAskedScene(how, *render, cancel);
   if (!asked) return asked.error();
-  if (Status s = checkPlan(how.scene, asked->scene, asked->options); !s) return s.error();
-  auto drawn = SceneToDraw::load(how, *asked, cancel);
+  const auto drawn = sceneToDraw(how, *asked, cancel);
   if (!drawn) return drawn.error();
-  if (Status s = drawn->fitToMemory(job.path, asked->options); !s) return s.error();
   if (Status s = taker.begin(drawn->series, pictures); !s) return s.error();
   const Status taken = takeTurn(*drawn, asked->options, pictures, taker, cancel);
   endTerminalProgress();
   if (!taken) return taken.error();
   return Exported{drawn->notes, drawn->unread};
+}
+
+Result<Exported> drawTimePoints(const ExportJob& job, const PictureTaker& taker, const CancelToken& cancel) {
+  const DrawnOptions how = drawnOptions(job);
+  const auto render = renderOptions(how.scene, how.method);
+  if (!render) return render.error();
+  auto asked = readAskedScene(how, *render, cancel);
+  if (!asked) return asked.error();
+  std::vector<Series> steps;
+  Exported exported;
+  {  // one volume at a time is in memory
+    const auto chosen = sceneToDraw(how, *asked, cancel);
+    if (!chosen) return chosen.error();
+    if (chosen->timePoints.empty()) return onlyOneTimePoint(chosen->series);
+    auto scene = chosen->sceneForOthers(asked->options);
+    if (!scene) return scene.error();
+    asked->scene = *std::move(scene);
+    steps = chosen->timePoints, exported = {chosen->notes, chosen->unread};
+    if (Status s = taker.begin(chosen->series, int(steps.size())); !s) return s.error();
+  }
+  const DrawnOptions each{how.path, {}, {}, how.method, how.removeTable};
+  const Progress progress = terminalProgress();
+  Status taken;
+  for (std::size_t n = 0; n < steps.size() && taken; ++n) {
+    taken = takeTimePoint(steps[n], each, *asked, taker, exported, cancel);
+    if (progress) progress("rendering", n + 1, steps.size());
+  }
+  endTerminalProgress();
+  if (!taken) return taken.error();
+  return exported;
 }
 
 }  // namespace volumen

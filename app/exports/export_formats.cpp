@@ -94,7 +94,7 @@ std::span<const ExportFormat> exportFormats() {
        exportCapture,
        checkDrawn},
       {"apng",
-       "a turn, slices or time points as an animated PNG",
+       "a turn, slices, time points or a clip as an animated PNG",
        {},
        ofFilm,
        exportFilm,
@@ -148,6 +148,9 @@ Status settlePlane(const CLI::App& app, const ExportFormat& format, ExportJob& j
   const auto given = [&](const char* option) { return isGiven(app, option); };
   if (given("--size")) job.plane.size = job.scene.size;
   job.hasPlane = std::ranges::any_of(planeOptions, given);
+  if (job.isOfFrames() && !has(format.takes, "--fps"))
+    return Error{std::string("--plane frame is for films and `volumen slice`, not for --as ") + format.name +
+                 "."};
   if (!job.hasPlane || !has(format.takes, "--scene")) return {};
   const auto ofScene = std::ranges::find_if(captureOptions, given);
   if (ofScene == captureOptions.end()) return {};
@@ -193,12 +196,13 @@ void addFormatOptions(CLI::App& app, ExportJob& job) {
   number(
       app.add_option("--frame-ms", job.frameMs, "Of sc: the time of each picture of a turn (default: 100)"),
       1, 60000);
-  wholeNumber(app.add_option("--fps", job.framesPerSecond, "Of films: pictures a second (default: 10)"), 1,
-              100);
+  wholeNumber(app.add_option("--fps", job.framesPerSecond,
+                             "Of films: pictures a second (default: those of a clip, else 10)"),
+              1, mostPerSecond);
   app.add_flag("--time-points", job.timePoints,
-               "Of films: a slice in each time point of the series, in place of all its slices");
+               "Of films: a slice or, without a plane, the 3D picture in each time point of the series");
   app.add_flag("--rle", job.rle, "Of sc: compress without loss (RLE)");
-  addPlaneOptions(app, job.plane, false);
+  addPlaneOptions(app, job.plane, true);
   addWindow(app, job.window);
   number(app.add_option(
              "--spacing", job.spacingMm,

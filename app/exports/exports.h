@@ -23,16 +23,20 @@ struct ExportJob {
   OverlayOptions overlay;
   RelationOptions relation;  ///< of the two series
   bool hasPlane = false;     ///< an option of the plane is given
+  bool isOfFrames() const { return hasPlane && plane.plane == acquiredPlane; }
   SceneOptions scene;
   MethodOptions method;
   std::optional<int> turntable{};  ///< pictures of a full turn
   double frameMs = 100;
-  int framesPerSecond = 10;
+  std::optional<int> framesPerSecond{};  ///< of a film; by default that of the clip, or 10
   bool rle = false, timePoints = false, removeTable = false, deface = false;
   bool withoutSegments = false;  ///< what lies in the segments is taken away, not all else
   bool takesAway() const { return removeTable || !segments.empty(); }  ///< of a series
   bool isOnto() const { return !onto.empty() || !ontoSeries.empty(); }
 };
+
+/// The most pictures that a film shows in a second.
+inline constexpr int mostPerSecond = 100;
 
 /// What was written.
 struct Exported {

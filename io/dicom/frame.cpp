@@ -120,23 +120,43 @@ Status addGreys(const DataSet& data, const FileHeader& header, DecodedFrame deco
   return {};
 }
 
-Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Shown>& shown) {
+/// Returns whether greys cannot be told without values: without a window they are a range of these, and a
+/// table's first input may be negative.
+bool areGreysOfValues(const DataSet& data, const FrameScopes& at) {
+  constexpr std::uint32_t voiLutSequence = 0x00283010;
+  const DataSet::Scope scope = at.of(frameVoiLut);
+  return readWindows(data, scope).empty() || !data.items(voiLutSequence, scope).empty();
+}
+
+void addCovers(const DataSet& data, const FrameScopes& at, const InspectedFile& file,
+               const PixelSource& pixels, int n, const std::optional<Shown>& shown, Frame& frame) {
+  frame.overlays = readOverlays(data, pixels, file.found.header, n, frame.warnings);
+  const Shutter shutter = shown ? shown->shutter : readShutter(data, at, frame.warnings);
+  frame.shutter = hiddenBy(shutter, frame.size, frame.pixel.mm);
+  frame.shutterGrey = shutter.grey;
+}
+
+enum class FrameParts { all, greys };
+
+Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Shown>& shown,
+                        FrameParts parts = FrameParts::all) {
   const FileHeader& header = file.found.header;
   const PixelFormat& format = header.format;
   if (n < 0 || n >= format.frames)
     return Error{"there is no frame " + std::to_string(n) + ": it holds " + std::to_string(format.frames)};
   const auto pixels = PixelSource::open(header);
   if (!pixels) return pixels.error();
-  auto decoded = pixels->frame(n);
-  if (!decoded) return decoded.error();
   const DataSet data(file.scanned.head, file.scanned.dataSet.elements);
   const FrameScopes at(data, n);
+  const bool isDecoded = parts == FrameParts::all || (format.isGrey() && areGreysOfValues(data, at));
+  auto decoded = isDecoded ? pixels->frame(n) : DecodedFrame{};
+  if (!decoded) return decoded.error();
   Frame frame;
   frame.size = {format.columns, format.rows};
   if (!decoded->note.empty()) frame.warnings.push_back(decoded->note + ".");
   if (format.isGrey()) {
     if (Status s = addGreys(data, header, *std::move(decoded), n, shown, frame); !s) return s.error();
-  } else {
+  } else if (isDecoded) {
     auto rgb = toRgb(*decoded, format, data, frame.warnings);
     if (!rgb) return rgb.error();
     frame.rgb = std::move(*rgb);
@@ -146,10 +166,10 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   readSides(data, frame);
   // An ultrasound picture has mm only in its regions. Its PixelSpacing is not reliable.
   if (header.modality == "US" && !isPlaced(sliceOf(header, n))) frame.pixel.kind = PixelSizeKind::unknown;
-  frame.overlays = readOverlays(data, *pixels, header, n, frame.warnings);
-  const Shutter shutter = shown ? shown->shutter : readShutter(data, at, frame.warnings);
-  frame.shutter = hiddenBy(shutter, frame.size, frame.pixel.mm);
-  frame.shutterGrey = shutter.grey;
+  if (parts == FrameParts::all)
+    addCovers(data, at, file, *pixels, n, shown, frame);
+  else
+    frame.values = {};
   frame.regions = readRegions(data);
   for (const std::string& remark : data.remarks())
     if (std::ranges::find(header.warnings, remark) == header.warnings.end())
@@ -157,17 +177,35 @@ Result<Frame> readFrame(const InspectedFile& file, int n, const std::optional<Sh
   return frame;
 }
 
-Result<Frame> loadFrameHere(const std::string& path, int n, const std::optional<Shown>& shown) {
+/// Returns read(file). Errors name the path.
+template <class Read>
+auto readPicture(const std::string& path, const Read& read) -> decltype(read(InspectedFile())) {
   try {
     const InspectedFile file = inspectFile(path);
     if (file.found.kind != Inspection::Kind::picture)
       return Error{path + ": " + (file.found.text.empty() ? "it is no DICOM picture." : file.found.text)};
-    Result<Frame> frame = readFrame(file, n, shown);
-    if (!frame) return Error{path + ": " + frame.message() + "."};
-    return frame;
+    auto found = read(file);
+    if (!found) return Error{path + ": " + found.message() + "."};
+    return found;
   } catch (const std::bad_alloc&) {
     return Error{path + ": there is not enough memory to show it."};
   }
+}
+
+Result<Frame> loadFrameHere(const std::string& path, int n, const std::optional<Shown>& shown) {
+  return readPicture(path, [&](const InspectedFile& file) { return readFrame(file, n, shown); });
+}
+
+Result<std::vector<Frame>> loadFrameGreysHere(const std::string& path, const std::vector<int>& frames) {
+  return readPicture(path, [&](const InspectedFile& file) -> Result<std::vector<Frame>> {
+    std::vector<Frame> all;
+    for (const int n : frames) {
+      auto frame = readFrame(file, n, {}, FrameParts::greys);
+      if (!frame) return frame.error();
+      all.push_back(*std::move(frame));
+    }
+    return all;
+  });
 }
 
 /// Runs in the worker, so that only the means are sent.
@@ -195,6 +233,14 @@ Result<Frame> loadSmallFrame(const std::string& path, int n, std::uint64_t pixel
 Result<Frame> loadFrame(const std::string& path, int n, std::uint64_t pixels,
                         const std::optional<Shown>& shown, const Progress& progress) {
   return isolatedPicture<loadFrameHere>(path, pixels, progress, n, shown);
+}
+
+Result<std::vector<Frame>> loadFrameGreys(const std::string& path, const std::vector<int>& frames,
+                                          std::uint64_t pixels) {
+  auto all = isolatedFile<loadFrameGreysHere>(path, pixels, frames);
+  if (all && all->size() != frames.size())
+    return Error{path + ": " + worker::reasonOf(worker::Failure::wrong) + "."};
+  return all;
 }
 
 }  // namespace dicom

@@ -63,6 +63,11 @@ struct Shown {
 Result<Frame> loadFrame(const std::string& path, int n, std::uint64_t pixels,
                         const std::optional<Shown>& shown = {}, const Progress& progress = {});
 
+/// Returns frames of a file as loadFrame() does, without values, colours, overlays and shutter, which are
+/// decoded only where greys follow from them. Frames in colour have no greys.
+Result<std::vector<Frame>> loadFrameGreys(const std::string& path, const std::vector<int>& frames,
+                                          std::uint64_t pixels);
+
 /// Reads a frame as acquired for a picture whose longer side has `edge` pixels. Large grey frames are reduced
 /// to means of blocks, no smaller than that picture needs, without overlays and shutter.
 Result<Frame> loadSmallFrame(const std::string& path, int n, std::uint64_t pixels, int edge);

@@ -29,16 +29,26 @@ bool isGraphic(const Graphic& g) {
   return g.points.size() >= 2;
 }
 
+bool isDescribed(const Frame& f) {
+  return isPictureSize(f.size.x, f.size.y) && f.pixel.mm.x > 0 && f.pixel.mm.y > 0 &&
+         std::ranges::all_of(f.greys, isMapping);
+}
+
 }  // namespace
 
 bool isConsistent(const Frame& f) {
-  if (!isPictureSize(f.size.x, f.size.y)) return false;
+  if (!isDescribed(f)) return false;
   const std::size_t pixels = std::size_t(f.size.x) * std::size_t(f.size.y);
   const bool grey = f.values.size() == pixels && f.rgb.empty() && !f.greys.empty();
   const bool colour = f.rgb.size() == 3 * pixels && f.values.empty();
-  return (grey || colour) && (f.shutter.empty() || f.shutter.size() == pixels) && f.pixel.mm.x > 0 &&
-         f.pixel.mm.y > 0 && std::ranges::all_of(f.greys, isMapping) &&
+  return (grey || colour) && (f.shutter.empty() || f.shutter.size() == pixels) &&
          std::ranges::all_of(f.overlays, [&](const FrameOverlay& o) { return o.mask.size() == pixels; });
+}
+
+bool isConsistent(const std::vector<Frame>& framesWithoutPixels) {
+  return std::ranges::all_of(framesWithoutPixels, [](const Frame& f) {
+    return isDescribed(f) && f.values.empty() && f.rgb.empty() && f.shutter.empty() && f.overlays.empty();
+  });
 }
 
 bool isConsistent(const Presentation& p) {

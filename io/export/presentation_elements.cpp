@@ -5,11 +5,13 @@
 #include <cmath>
 #include <numeric>
 #include <set>
+#include <utility>
 
 #include "io/dicom/cielab.h"
 #include "io/dicom/data_set.h"
 #include "io/dicom/units.h"
 #include "io/export/dicom_modules.h"
+#include "io/export/study_object.h"
 
 namespace volumen {
 
@@ -301,18 +303,21 @@ std::vector<std::string> layersOf(const Presentation::Annotations& part) {
 
 // Each item has one layer.
 DicomElements PresentationElements::annotations(const Presentation::Annotations& part) {
-  constexpr std::size_t longestText = 1024;  // bytes of ST
+  constexpr std::size_t longestText = 1024;  // characters of ST
   DicomElements all;
   for (const std::string& layer : layersOf(part)) {
     DicomElements graphics, texts;
     for (const Graphic& one : part.graphics)
       if (one.layer == layer) append(graphics, graphic(one));
-    for (const GraphicText& text : part.texts) {
+    for (GraphicText text : part.texts) {
       if (text.layer != layer) continue;
-      if (text.text.empty() || text.text.size() > longestText || (!text.box && !text.anchor))
-        notes_.emplace_back("A text is left out: it is empty, longer than 1024 characters or has no place.");
-      else
-        append(texts, textElements(text));
+      if (text.text.empty() || (!text.box && !text.anchor)) {
+        notes_.emplace_back("A text is left out: it is empty or has no place.");
+        continue;
+      }
+      const std::string whole = std::exchange(text.text, firstCharacters(text.text, longestText));
+      if (text.text.size() < whole.size()) notes_.emplace_back("A text is cut after 1024 characters.");
+      append(texts, textElements(text));
     }
     if (graphics.empty() && texts.empty()) continue;
     all.push_back({dicomItem, {}, 0, 1});

@@ -1,5 +1,8 @@
 #include "results/numbers/measured_shape.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include "io/frames.h"
 #include "viewer/measure/scaled.h"
 #include "viewer/scene/json_fields.h"
@@ -22,6 +25,8 @@ Result<FramesToMeasure::Found> FramesToMeasure::find(const ShapeFrame& name) {
                std::to_string(name.number) + "."};
 }
 
+namespace {
+
 MeasuredShape measuredOnFrame(const Shape& shape, FramesToMeasure& frames, const ScaleOf& scaleOf) {
   const auto found = frames.find(*shape.frame);
   if (!found) return {found.error()};
@@ -35,11 +40,36 @@ MeasuredShape measuredOnFrame(const Shape& shape, FramesToMeasure& frames, const
   return out;
 }
 
-MeasuredShape measuredShape(const ShapeToMeasure& one, FramesToMeasure& frames, const CancelToken& cancel) {
-  const auto scaleOf = [](const Series& series) { return valueScale(series, PetUnit::suvBodyWeight); };
+MeasuredShape measuredShape(const ShapeToMeasure& one, FramesToMeasure& frames, const ScaleOf& scaleOf,
+                            const CancelToken& cancel) {
   if (!one.volume) return measuredOnFrame(one.shape, frames, scaleOf);
-  const ValueScale scale = scaleOf(one.volume->series);
-  return {scaled(measure(one.shape, *one.volume->volume, scale.unit, cancel), scale.factor)};
+  const auto scale = scaleOf(one.volume->series);
+  if (!scale) return {scale.error()};
+  return {scaled(measure(one.shape, *one.volume->volume, scale->unit, cancel), scale->factor)};
+}
+
+}  // namespace
+
+std::vector<MeasuredShape> measuredShapes(std::span<const ShapeToMeasure> shapes, FramesToMeasure& frames,
+                                          const ScaleOf& scaleOf, const CancelToken& cancel) {
+  std::vector<std::size_t> byFrame(shapes.size());
+  std::iota(byFrame.begin(), byFrame.end(), std::size_t(0));
+  std::ranges::stable_sort(byFrame, {}, [&](std::size_t n) {
+    const auto& frame = shapes[n].shape.frame;
+    return frame ? std::pair(frame->instance, frame->number) : std::pair(std::string(), 0);
+  });
+  std::vector<MeasuredShape> all(shapes.size(), {Error{"Interrupted."}});
+  for (const std::size_t n : byFrame) {
+    if (cancel.cancelled()) break;
+    all[n] = measuredShape(shapes[n], frames, scaleOf, cancel);
+  }
+  return all;
+}
+
+std::vector<MeasuredShape> measuredShapes(std::span<const ShapeToMeasure> shapes, FramesToMeasure& frames,
+                                          const CancelToken& cancel) {
+  const auto scaleOf = [](const Series& series) { return valueScale(series, PetUnit::suvBodyWeight); };
+  return measuredShapes(shapes, frames, scaleOf, cancel);
 }
 
 MeasuredOn placeIn(const ShapesVolume& volume, bool isTiled) {

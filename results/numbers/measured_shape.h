@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <glm/vec2.hpp>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -60,11 +61,13 @@ class FramesToMeasure {
   LoadedFramePtr last_;
 };
 
-/// Measures a shape on its frame.
-MeasuredShape measuredOnFrame(const Shape& shape, FramesToMeasure& frames, const ScaleOf& scaleOf);
-
-/// Measures a shape in its volume or on one of the frames, with values in SUVbw where there is SUV.
-MeasuredShape measuredShape(const ShapeToMeasure& one, FramesToMeasure& frames, const CancelToken& cancel);
+/// Measures shapes in their volumes and on frames. Shapes of one frame follow each other, so that each frame
+/// is read once; results are in the order of `shapes`. After `cancel` some are Errors.
+std::vector<MeasuredShape> measuredShapes(std::span<const ShapeToMeasure> shapes, FramesToMeasure& frames,
+                                          const ScaleOf& scaleOf, const CancelToken& cancel);
+/// Does the same with values in SUVbw where there is SUV.
+std::vector<MeasuredShape> measuredShapes(std::span<const ShapeToMeasure> shapes, FramesToMeasure& frames,
+                                          const CancelToken& cancel);
 
 /// Returns the images that a shape is measured on, in a volume or on a frame. The result refers to the
 /// argument.

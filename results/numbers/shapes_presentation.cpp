@@ -29,16 +29,15 @@ std::optional<MeasuredOn> placeOf(const ShapeToMeasure& one, const SeriesPicture
 }
 
 // Adds a shape, or returns in `why` the reason to leave it out.
-Status draw(const ShapeToMeasure& one, const SeriesPictures& pictures, FramesToMeasure& frames,
-            Presentation& shown, glm::dvec2 pixelMm, const char*& why, const CancelToken& cancel) {
+Status draw(const ShapeToMeasure& one, const Result<Measured>& found, const SeriesPictures& pictures,
+            Presentation& shown, glm::dvec2 pixelMm, const char*& why) {
   why = "is on none of the pictures";
   const auto place = placeOf(one, pictures, pixelMm);
   if (!place) return {};
   std::optional<Measured> measured;
   if (!ruleOf(one.shape.kind).numberless) {
-    auto found = measuredShape(one, frames, cancel).measured;
     if (!found) return found.error();
-    measured = *std::move(found);
+    measured = *found;
   }
   const auto drawn = annotationOf(one.shape, *place, wordsOf(one.shape, measured), shapesLayer);
   if (!drawn) return why = "does not lie within one slice as acquired", Status();
@@ -58,10 +57,11 @@ Status drawShapes(std::span<const ShapeToMeasure> shapes, const SeriesPictures& 
                   const CancelToken& cancel) {
   Presentation& p = shown.presentation;
   FramesToMeasure frames({pictures.series});
-  for (const ShapeToMeasure& one : shapes) {
-    if (cancel.cancelled()) break;
+  const auto measured = measuredShapes(shapes, frames, cancel);
+  for (std::size_t n = 0; n < shapes.size(); ++n) {
+    const ShapeToMeasure& one = shapes[n];
     const char* why = nullptr;
-    if (Status s = draw(one, pictures, frames, p, shown.first.pixel.mm, why, cancel); !s)
+    if (Status s = draw(one, measured[n].measured, pictures, p, shown.first.pixel.mm, why); !s)
       return Error{one.name + ": " + s.message()};
     if (why) shown.notes.push_back(one.name + " " + why + " and is left out.");
   }

@@ -12,15 +12,13 @@ namespace {
 
 class Reporter {
  public:
-  Reporter(const Study& study, FramesToMeasure& frames, const CancelToken& cancel)
-      : study_(study), frames_(frames), cancel_(cancel) {}
+  explicit Reporter(const Study& study) : study_(study) {}
 
-  Status add(const ShapeToMeasure& one) {
+  Status add(const ShapeToMeasure& one, const MeasuredShape& measured) {
     if (ruleOf(one.shape.kind).numberless) {
       made.notes.push_back(one.name + " has no number and is left out of the report.");
       return {};
     }
-    const MeasuredShape measured = measuredShape(one, frames_, cancel_);
     return one.volume ? addInVolume(one, measured) : addOnFrame(one, measured);
   }
 
@@ -57,8 +55,6 @@ class Reporter {
   }
 
   const Study& study_;
-  FramesToMeasure& frames_;
-  const CancelToken& cancel_;
   std::map<const ShapesVolume*, bool> tiled_;
 };
 
@@ -74,11 +70,11 @@ Result<bool> isMosaic(const Study& study, const Series& series) {
 
 Result<ShapesReport> reportOfShapes(std::span<const ShapeToMeasure> shapes, const Study& study,
                                     FramesToMeasure& frames, const CancelToken& cancel) {
-  Reporter reporter(study, frames, cancel);
-  for (const ShapeToMeasure& one : shapes) {
-    if (cancel.cancelled()) break;
-    if (Status s = reporter.add(one); !s) return Error{one.name + ": " + s.message()};
-  }
+  const auto measured = measuredShapes(shapes, frames, cancel);
+  Reporter reporter(study);
+  for (std::size_t n = 0; n < shapes.size(); ++n)
+    if (Status s = reporter.add(shapes[n], measured[n]); !s)
+      return Error{shapes[n].name + ": " + s.message()};
   if (reporter.made.report.groups.empty()) return Error{};
   return std::move(reporter.made);
 }

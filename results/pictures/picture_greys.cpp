@@ -74,27 +74,25 @@ bool areAlike(const Frame& a, const Frame& b) {
          a.greys.front().mapping.inverted == b.greys.front().mapping.inverted;
 }
 
-/// Reads pictures one by one.
-class GreysReader {
+/// Collects pictures one by one.
+class GreysCollector {
  public:
-  GreysReader(const SeriesPictures& chosen, const std::optional<Window>& window)
+  GreysCollector(const SeriesPictures& chosen, const std::optional<Window>& window)
       : chosen_(chosen), window_(window) {}
 
-  Status add(int index) {
+  Status add(int index, Frame frame) {
     const Series& series = chosen_.series;
     const std::string& file = series.files[std::size_t(index)];
     if (series.sopInstanceUids[std::size_t(index)].empty())
       return Error{file + " has no SOPInstanceUID, by which a presentation state names its pictures."};
-    Result<Frame> frame = loadFrame(series, index);
-    if (!frame) return frame.error();
-    if (frame->colour())
+    if (frame.greys.empty())
       return Error{file + " holds a picture in colour: a grayscale presentation state is of grey ones."};
-    for (const std::string& warning : frame->warnings)
+    for (const std::string& warning : frame.warnings)
       if (std::ranges::find(greys_.notes, warning) == greys_.notes.end()) greys_.notes.push_back(warning);
-    pictures_.push_back({index, frame->mapping, through(window_, frame->greys)});
+    pictures_.push_back({index, frame.mapping, through(window_, frame.greys)});
     if (pictures_.size() == 1)
-      greys_.first = *std::move(frame);
-    else if (!areAlike(greys_.first, *frame))
+      greys_.first = std::move(frame);
+    else if (!areAlike(greys_.first, frame))
       return Error{file +
                    " differs from the first picture in size, pixel spacing or inversion, and a presentation "
                    "state shows "
@@ -141,12 +139,13 @@ std::vector<ReferencedPicture> picturesAt(const Series& series, const std::vecto
 
 Result<PictureGreys> greysOfPictures(const SeriesPictures& chosen, const std::optional<Window>& window,
                                      const CancelToken& cancel) {
-  GreysReader reader(chosen, window);
-  for (const int index : chosen.indices) {
-    if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
-    if (Status s = reader.add(index); !s) return s.error();
-  }
-  return reader.finish();
+  auto frames = loadFrameGreys(chosen.series, chosen.indices, cancel);
+  if (cancel.cancelled()) return Error{"Interrupted; nothing was written."};
+  if (!frames) return frames.error();
+  GreysCollector collector(chosen, window);
+  for (std::size_t n = 0; n < frames->size(); ++n)
+    if (Status s = collector.add(chosen.indices[n], std::move((*frames)[n])); !s) return s.error();
+  return collector.finish();
 }
 
 }  // namespace volumen

@@ -21,8 +21,8 @@ std::vector<ReferencedPicture> picturesAt(const Series& series, const std::vecto
 
 /// How pictures show their values: a presentation, and the first picture.
 struct PictureGreys {
-  Presentation presentation;  ///< pictures, values, windows and inversion
-  Frame first;
+  Presentation presentation;       ///< pictures, values, windows and inversion
+  Frame first;                     ///< without values
   std::vector<std::string> notes;  ///< sentences for the user
 };
 

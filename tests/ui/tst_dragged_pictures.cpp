@@ -11,6 +11,7 @@
 #include "tests/ui/final_picture.h"
 #include "tests/ui/two_series.h"
 #include "tests/unit/suite.h"
+#include "results/text/text.h"
 #include "ui/widgets/banner.h"
 
 using namespace volumen;
@@ -106,6 +107,7 @@ class TestDraggedPictures : public QObject {
   void aShortMoveIsNoDrag();
   void hiddenNamesStayHidden_data();
   void hiddenNamesStayHidden();
+  void noNamesLeaveWithoutIdentity();
   void eachFileStaysUntilTheEnd();
   void aDropInsideDoesNothing();
   void aPictureThatIsBeingDrawnIsNotDragged();
@@ -188,6 +190,21 @@ void TestDraggedPictures::aShortMoveIsNoDrag() {
 }
 
 void TestDraggedPictures::hiddenNamesStayHidden_data() { itIsTheViewAsFileAndImage_data(); }
+
+// What is exported without the identity is dragged without names, too.
+void TestDraggedPictures::noNamesLeaveWithoutIdentity() {
+  auto series = std::make_shared<LoadedSeries>(*ballSeries());
+  series->series.format = "NIfTI";
+  series->series.path = "/home/doe/Doe-Jane.nii.gz";
+  DragWindow w(series);
+  QVERIFY(w.hasPictures());
+  w.session().prefer([](Preferences& p) { p.exportsWithoutIdentity = true; });
+  const Carried dragged = draggedOut(w.view(axialViewId));
+  QVERIFY(dragged.data && !dragged.path().contains(QStringLiteral("Doe")));
+  QVERIFY(dragged.file() != w.view(axialViewId)->capture());
+  const HidingNames hiding(true);
+  QCOMPARE(dragged.file(), w.view(axialViewId)->capture());
+}
 
 // A series that is a file is named after it.
 void TestDraggedPictures::hiddenNamesStayHidden() {

@@ -4,6 +4,7 @@
 
 #include "io/frames.h"
 #include "io/study/frame_series.h"
+#include "results/series/frames_window.h"
 #include "ui/data/picture_index.h"
 #include "ui/document/no_memory.h"
 #include "viewer/volume/parallel.h"
@@ -21,19 +22,6 @@ bool isGrey(const Series& series) {
 }
 
 FrameKey middleOf(const Series& series) { return {keyOf(series), frameCount(series) / 2}; }
-
-// Returns the first and last frame that share a window.
-std::pair<int, int> framesOfOneWindow(const Series& series, int index) {
-  const int count = frameCount(series);
-  if (!areMadeOneByOne(series)) return {0, count - 1};
-  const auto isOfFile = [&](int n) {
-    return series.files[std::size_t(n)] == series.files[std::size_t(index)];
-  };
-  int first = index, last = index;
-  while (first > 0 && isOfFile(first - 1)) --first;
-  while (last + 1 < count && isOfFile(last + 1)) ++last;
-  return {first, last};
-}
 
 }  // namespace
 
@@ -314,19 +302,9 @@ Window FrameService::windowOf(const Series& series, int index, const Frame& fram
   const std::lock_guard lock(sharedMutex_);
   const auto known = windows_.find({keyOf(series), first});
   if (known != windows_.end()) return known->second;
-  const int sampled = std::min(last - first + 1, sampledFrames);
-  SharedWindow shared;
-  bool isAnyRead = false;
-  for (int n = 0; n < sampled; ++n) {
-    const Result<Frame> sample =
-        loadFrame(series, first + int(std::int64_t(n) * (last - first) / std::max(1, sampled - 1)));
-    if (!sample) continue;
-    isAnyRead = true;
-    shared.add(sample->values, sample->padding);
-  }
-  const Window window = shared.window();
-  if (isAnyRead) windows_[{keyOf(series), first}] = window;
-  return window;
+  const std::optional<Window> window = windowOfFrames(series, first, last);
+  if (window) windows_[{keyOf(series), first}] = *window;
+  return window.value_or(frame.greys.front().mapping.window);
 }
 
 }  // namespace volumen

@@ -23,11 +23,10 @@ namespace volumen {
 /// once, then one by one the next ones in their directions. No call of a view waits.
 ///
 /// Frames of a series whose files have no window share one. Series that areMadeOneByOne() have one per file.
-/// It is P0.1 .. P99.9 of at most `sampledFrames` frames, evenly spaced.
+/// It is that of windowOfFrames().
 class FrameService : public QObject {
   Q_OBJECT
  public:
-  static constexpr int sampledFrames = 9;
   /// Time before a frame that could not be read is tried again, ms.
   static constexpr int tryAgainMs = 1000;
 

@@ -65,6 +65,7 @@ void ViewPictures::dragOut(View* view) {
   const Series* series = seriesIn(session_.workspace(), view->id());
   if (!series) return;
   if (!view->hasItsPicture()) return warn(tr("The picture is still being drawn: drag it again in a moment."));
+  const HidingNames asExports(namesHidden() || session_.preferences().exportsWithoutIdentity);
   const MadePicture picture = pictureOf(*view);
   auto carried = dragged_.carry(picture, fileName(*series));
   if (!carried) return warn(QString::fromStdString(carried.message()));

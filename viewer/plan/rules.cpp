@@ -186,8 +186,8 @@ double lightPerTurn(const Scene& scene) {
 }
 
 // Returns whether 16-bit gradients would blur small gradients that matter. Their error limits are 1/256 for a
-// colour at the gradient floor (a quarter of that at `exact`) and 1/256 for the gradient opacity ramp. A few
-// extreme values can make the packing that coarse.
+// colour at the gradient floor (a quarter of that at `exact`) and 1/256 for ramps of gradient opacity, of
+// which steps allow none. A few extreme values can make the packing that coarse.
 bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
   if (by == GradientOperator::sobel && !gradients16AreRounded(in.facts.range, in.facts.rescaleSlope))
     return false;
@@ -197,8 +197,9 @@ bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
     smallestPerMm = *in.scene.shading.gradientFloor / (finer * std::max(1.0, lightPerTurn(in.scene)));
   }
   const auto& points = in.scene.transferFunction.gradientOpacity;
-  if (!points.empty() && points.back().gradient > 0)
-    smallestPerMm = std::min(smallestPerMm, points.back().gradient);
+  for (std::size_t n = 0; n + 1 < points.size(); ++n)
+    if (const double rise = std::abs(points[n + 1].factor - points[n].factor); rise > 0)
+      smallestPerMm = std::min(smallestPerMm, (points[n + 1].gradient - points[n].gradient) / rise);
   const glm::dvec3 spacing = in.facts.geometry.spacing();
   const double step =
       gradients16Scale(in.facts.range, in.facts.rescaleSlope) / std::min({spacing.x, spacing.y, spacing.z});
@@ -241,7 +242,9 @@ Effect precision(const RuleInput& in, Plan& plan) {
   plan.bits = fits && !coarse && !packed && !narrow ? in.options.precision.value_or(16) : 32;
   if (!fits) return on("32 bits: 16-bit integers with a positive slope do not hold the values");
   if (packed)
-    return on("32 bits: gradients packed into 16 bits would be too coarse beside a few extreme values");
+    return on(
+        "32 bits: gradients packed into 16 bits would be too coarse for this scene beside the extreme "
+        "values");
   if (narrow)
     return on("32 bits: the curve rises within so few values that those of 16 bits would be too coarse");
   if (coarse) return on("32 bits, interpolated in floats: filters of texture hardware are too coarse here");

@@ -1,5 +1,6 @@
 // Guards export.md, films: `volumen export --as apng` writes the pictures of `volumen render` and `volumen
-// slice` bit for bit, and `--as mp4` nearly. A film has one picture a slice or time point, all in one window.
+// slice` bit for bit, and `--as mp4` nearly. A film has one picture a slice, time point or frame, all in one
+// window.
 // Wrong options are refused as usage.
 #include <QDir>
 #include <QFile>
@@ -10,6 +11,7 @@
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/fixtures/read_film.h"
+#include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -22,6 +24,10 @@ class TestExportFilm : public QObject {
   void stacksAreThoseOfSlice_data();
   void stacksAreThoseOfSlice();
   void timePointsAreInOneWindow();
+  void timePointsIn3dAreDrawnAlike();
+  void clipsAreTheirFrames_data();
+  void clipsAreTheirFrames();
+  void framesWithoutAWindowShareOne();
   void mp4IsNearlyTheSame();
   void namesAreInNoFilm();
   void wrongWordsAreUsage_data();
@@ -44,22 +50,29 @@ namespace {
 
 constexpr int filmPoints = 3;
 
+// Writes a file of three volumes of 8 x 8 x 8 voxels. `value` takes the number of a voxel and of its volume.
+template <class Value>
+void writeTimePoints(const QString& path, const Value& value) {
+  constexpr int voxels = 8 * 8 * 8;
+  QFile file(path);
+  QVERIFY(file.open(QIODevice::WriteOnly));
+  file.write(
+      "NRRD0005\ntype: uint16\ndimension: 4\nspace: left-posterior-superior\nsizes: 8 8 8 3\n"
+      "space directions: (2,0,0) (0,2,0) (0,0,2) none\nkinds: domain domain domain time\n"
+      "space origin: (0,0,0)\nendian: little\nencoding: raw\n\n");
+  for (int n = 0; n < voxels * filmPoints; ++n) {
+    const int at = value(n % voxels, n / voxels);
+    file.write(QByteArray(1, char(at & 255)) + QByteArray(1, char(at >> 8)));
+  }
+}
+
 QImage pictureIn(const QString& path) { return QImage(path).convertToFormat(QImage::Format_RGB888); }
 
 }  // namespace
 
 // A file of three volumes of 100, 200 and 300 all over.
 void TestExportFilm::initTestCase() {
-  QFile file(at(QStringLiteral("time.nrrd")));
-  QVERIFY(file.open(QIODevice::WriteOnly));
-  file.write(
-      "NRRD0005\ntype: uint16\ndimension: 4\nspace: left-posterior-superior\nsizes: 8 8 8 3\n"
-      "space directions: (2,0,0) (0,2,0) (0,0,2) none\nkinds: domain domain domain time\n"
-      "space origin: (0,0,0)\nendian: little\nencoding: raw\n\n");
-  for (int n = 0; n < 8 * 8 * 8 * filmPoints; ++n) {
-    const int value = 100 * (n / (8 * 8 * 8) + 1);
-    file.write(QByteArray(1, char(value & 255)) + QByteArray(1, char(value >> 8)));
-  }
+  writeTimePoints(at(QStringLiteral("time.nrrd")), [](int, int step) { return 100 * (step + 1); });
 }
 
 void TestExportFilm::turnsAreThoseOfRender() {
@@ -151,6 +164,88 @@ void TestExportFilm::timePointsAreInOneWindow() {
   QVERIFY(ownFilm.pictures[0] != ownFilm.pictures[1]);
 }
 
+// The picture of each time point is that of `render` by the scene that the film says.
+void TestExportFilm::timePointsIn3dAreDrawnAlike() {
+  const QString series = at(QStringLiteral("ramps.nrrd")), path = at(QStringLiteral("time-3d.png"));
+  writeTimePoints(series, [](int n, int step) { return 100 * step + 30 * (n % 8); });
+  const QString options = QStringLiteral("--mode mip --view anterior --size 31x24");
+  const Outcome done = run(QStringLiteral("export"), series,
+                           options + QStringLiteral(" --as apng --fps 4 --time-points"), path);
+  QVERIFY2(done.status == 0, done.err);
+  const FilmRead film = readAnimatedPng(contentsOf(path));
+  QCOMPARE(film.flaw, QString());
+  QCOMPARE(film.pictures.size(), std::size_t(filmPoints));
+  const Outcome info = runProgram({QStringLiteral("info"), QStringLiteral("--json"), series});
+  const auto volumes = nlohmann::json::parse(info.out.toStdString())["volumes"];
+  QCOMPARE(volumes.size(), std::size_t(filmPoints));
+  for (int n = 0; n < filmPoints; ++n) {
+    const QString png = at(QStringLiteral("step.png"));
+    const QString id = QString::fromStdString(volumes[std::size_t(n)]["id"].get<std::string>());
+    const Outcome drawn = run(QStringLiteral("render"), series,
+                              QStringLiteral("--size 31x24 --series %1 --scene %2").arg(id, path), png);
+    QVERIFY2(drawn.status == 0, drawn.err);
+    QCOMPARE(film.pictures[std::size_t(n)], pictureIn(png));
+  }
+  QVERIFY(film.pictures[0] != film.pictures[1] && film.pictures[1] != film.pictures[2]);
+}
+
+void TestExportFilm::clipsAreTheirFrames_data() {
+  QTest::addColumn<QString>("file");
+  QTest::addColumn<int>("frames");
+  QTest::addColumn<QString>("options");
+  QTest::addColumn<int>("perSecond");
+  const auto row = [](const char* name, const char* file, int frames, const char* options, int perSecond) {
+    QTest::newRow(name) << QString::fromLatin1(file) << frames << QString::fromLatin1(options) << perSecond;
+  };
+  row("ultrasound in colour, as fast as its file says", "us-cine-aspect-regions.dcm", 34, "", 33);
+  row("ultrasound, as fast as asked", "us-palette-cine-10.dcm", 10, "--fps 7", 7);
+  row("an angiography", "xa-96frames.dcm", 96, "", 30);
+  row("an angiography in a window", "xa-96frames.dcm", 96, "--window 300,200", 30);
+}
+
+void TestExportFilm::clipsAreTheirFrames() {
+  QFETCH(QString, file);
+  QFETCH(int, frames);
+  QFETCH(QString, options);
+  QFETCH(int, perSecond);
+  const QString clip = QString::fromStdString(dataPath("dicom-2d/" + file.toStdString()));
+  NEED_DATA(clip.toStdString());
+  const QString path = at(QStringLiteral("clip %1.png").arg(QLatin1String(QTest::currentDataTag())));
+  const QString plane = QStringLiteral(" --plane frame");
+  const Outcome done =
+      run(QStringLiteral("export"), clip, options + plane + QStringLiteral(" --as apng"), path);
+  QVERIFY2(done.status == 0, done.err);
+  const FilmRead film = readAnimatedPng(contentsOf(path));
+  QCOMPARE(film.flaw, QString());
+  QCOMPARE(film.pictures.size(), std::size_t(frames));
+  QCOMPARE(film.delays[0], std::pair(1, perSecond));
+  const QString window =
+      options.contains(QStringLiteral("--window")) ? QLatin1Char(' ') + options : QString();
+  for (const int n : {0, frames / 2, frames - 1}) {
+    const QString png = at(QStringLiteral("frame.png"));
+    const Outcome drawn =
+        run(QStringLiteral("slice"), clip, plane + window + QStringLiteral(" --index %1").arg(n), png);
+    QVERIFY2(drawn.status == 0, drawn.err);
+    QCOMPARE(film.pictures[std::size_t(n)], pictureIn(png));
+  }
+}
+
+// Two slices of 100 and 200 all over are black and white: each by itself would be in a window of its own.
+void TestExportFilm::framesWithoutAWindowShareOne() {
+  const QString folder = at(QStringLiteral("two"));
+  QVERIFY(QDir().mkpath(folder));
+  for (int n = 0; n < 2; ++n)
+    writeDicom(folder.toStdString() + "/" + std::to_string(n),
+               {.instance = n + 1, .position = {0, 0, n}, .pixels = {std::uint16_t(100 * (n + 1))}});
+  const QString path = at(QStringLiteral("shared.png"));
+  const Outcome done = run(QStringLiteral("export"), folder, QStringLiteral("--as apng --plane frame"), path);
+  QVERIFY2(done.status == 0, done.err);
+  const FilmRead film = readAnimatedPng(contentsOf(path));
+  QCOMPARE(film.pictures.size(), std::size_t(2));
+  QCOMPARE(qGreen(film.pictures[0].pixel(0, 0)), 0);
+  QCOMPARE(qGreen(film.pictures[1].pixel(0, 0)), 255);
+}
+
 void TestExportFilm::mp4IsNearlyTheSame() {
   NEED_FFMPEG();
   const QString options = QStringLiteral("--preset CT-Bone --size 96x64 --turntable 3");
@@ -193,7 +288,14 @@ void TestExportFilm::wrongWordsAreUsage_data() {
   row("a PNG in MP4", "--as apng", "x.mp4", "animated PNG files end in .png or .apng.");
   row("one slice", "--as apng --plane axial --at 3", "x.png", "A film goes through all slices");
   row("one slice by its number", "--as apng --index 3", "x.png", "A film goes through all slices");
-  row("time points in 3D", "--as apng --time-points", "x.png", "--time-points is for slices");
+  row("a turn through time", "--as apng --time-points --turntable 4", "x.png",
+      "--turntable is for one time point");
+  row("one frame", "--as apng --plane frame --index 3", "x.png", "only --window and --series go with it");
+  row("frames in another size", "--as apng --plane frame --size 64x64", "x.png",
+      "only --window and --series");
+  row("frames through time", "--as apng --plane frame --time-points", "x.png", "only --window and --series");
+  row("frames as a series", "--as series --plane frame", "x", "not for --as series");
+  row("a frame as a capture", "--as sc --plane frame", "x.dcm", "not for --as sc");
   row("a spacing in 3D", "--as apng --spacing 3", "x.png", "--spacing is for slices");
   row("a spacing of time points", "--as apng --plane axial --time-points --spacing 3", "x.png",
       "--spacing is for films through slices");

@@ -50,7 +50,8 @@ constexpr NamedFormat namedFormats[] = {
     {"slices fused", "series --plane coronal --spacing 80 --overlay OTHER"},
     {"slices without face", "series --deface", true},
     {"slices without table", "series --remove-table", true},
-    {"slices of segments", "series --segments SEGMENTS", true}};
+    {"slices of segments", "series --segments SEGMENTS", true},
+    {"slices without segments", "series --segments SEGMENTS --without-segments", true}};
 
 // Returns the names of patients that volumen reads in a file or folder.
 std::set<std::string> patientsIn(const QString& path) {

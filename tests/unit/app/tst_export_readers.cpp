@@ -1,5 +1,4 @@
-// Guards export.md: other programs read what `volumen export` writes. The code of OHIF (npm packages dcmjs
-// and
+// Guards export.md: other programs read what `volumen export` writes. The code of OHIF (npm packages dcmjs and
 // @cornerstonejs/adapters) shows the numbers of `volumen measure` and the voxels of segments.
 #include <QDir>
 #include <QFile>

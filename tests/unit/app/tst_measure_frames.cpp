@@ -16,6 +16,7 @@ class TestMeasureFrames : public QObject {
   void petOnFramesIsSuv();
   void framesAsAcquired_data();
   void framesAsAcquired();
+  void numbersComeInTheOrderOfTheShapes();
 };
 
 void TestMeasureFrames::petOnFramesIsSuv() {
@@ -120,6 +121,31 @@ void TestMeasureFrames::framesAsAcquired() {
       QVERIFY2(isNear(found[key], wanted[key]), QJsonDocument(found).toJson().constData());
     }
   }
+}
+
+// Shapes of one frame are measured together.
+void TestMeasureFrames::numbersComeInTheOrderOfTheShapes() {
+  const std::string path = dataPath("dicom-2d/xa-96frames.dcm");
+  NEED_DATA(path);
+  const QString clip = QString::fromStdString(path);
+  const auto study = volumen::openStudy(path);
+  QVERIFY(study.ok());
+  const std::string instance = study->images.front().sopInstanceUid;
+  const auto probe = [&](int frame, int x) {
+    return QStringLiteral(
+               R"({"kind": "probe", "points": [[%1, 200]], "frame": {"instance": "%2", "number": %3}})")
+        .arg(x)
+        .arg(QString::fromStdString(instance))
+        .arg(frame)
+        .toUtf8();
+  };
+  const std::pair<int, int> probes[] = {{95, 200}, {3, 210}, {95, 220}, {0, 230}, {3, 240}};
+  QByteArrayList shapes;
+  for (const auto& [frame, x] : probes) shapes << probe(frame, x);
+  const auto all = QJsonDocument::fromJson(
+      measuredShapes(clip, '[' + shapes.join(',') + ']').out)[QStringLiteral("measurements")];
+  for (int n = 0; n < int(std::size(probes)); ++n)
+    QCOMPARE(all[n].toObject(), measuredShape(clip, '[' + shapes[n] + ']'));
 }
 
 VOLUMEN_TEST(TestMeasureFrames);

@@ -1,5 +1,5 @@
 // Guards `volumen export -o archive:NAME`: what is written is sent to the archive, and nothing of it stays
-// here.
+// here. Orthanc takes each object and gives it back as it is.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -7,9 +7,11 @@
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <map>
 
 #include "tests/fixtures/program.h"
 #include "tests/unit/archive/archived_studies.h"
+#include "tests/unit/archive/orthanc_peer.h"
 #include "tests/unit/archive/peer_process.h"
 #include "tests/unit/suite.h"
 
@@ -21,12 +23,15 @@ class TestArchiveExport : public QObject {
   void initTestCase();
   void whatIsWrittenIsSent_data();
   void whatIsWrittenIsSent();
+  void orthancGivesEachBack_data() { whatIsWrittenIsSent_data(); }
+  void orthancGivesEachBack();
   void whatIsNotTakenIsTold();
   void wrongNamesAreRefusedAtOnce_data();
   void wrongNamesAreRefusedAtOnce();
   void cleanup();
 
  private:
+  void list(int port) const;  // lists an archive "to"
   // Runs the command with an archive "to" at this port.
   Outcome exported(int port, const QString& source, const QString& options) const;
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
@@ -34,6 +39,19 @@ class TestArchiveExport : public QObject {
   QTemporaryDir folder_;
   QString image_;  // SOP Instance UID of one
 };
+
+namespace {
+
+// Returns what a file says in an attribute; empty if it cannot be read.
+QString saidBy(const QString& path, const DcmTagKey& tag) {
+  DcmFileFormat file;
+  OFString value;
+  if (file.loadFile(OFFilename(path.toUtf8().constData())).good())
+    (void)file.getDataset()->findAndGetOFString(tag, value);
+  return QString::fromLatin1(value.c_str());
+}
+
+}  // namespace
 
 void TestArchiveExport::initTestCase() {
   if (!QrPeer::isInstalled()) QSKIP("storescp is not installed (package dcmtk)");
@@ -49,11 +67,8 @@ void TestArchiveExport::initTestCase() {
   QVERIFY2(b.status == 0, b.err);
   QFile document(at("document.pdf"));
   QVERIFY(document.open(QIODevice::WriteOnly) && document.write("%PDF-1.4\n%%EOF\n") > 0);
-  DcmFileFormat image;
-  OFString uid;
-  QVERIFY(image.loadFile(OFFilename(filesBelow(at("scans"))[0].toUtf8().constData())).good());
-  QVERIFY(image.getDataset()->findAndGetOFString(DCM_SOPInstanceUID, uid).good());
-  image_ = QString::fromLatin1(uid.c_str());
+  image_ = saidBy(filesBelow(at("scans"))[0], DCM_SOPInstanceUID);
+  QVERIFY(!image_.isEmpty());
   qputenv("XDG_CONFIG_HOME", folder_.path().toUtf8());
   qputenv("TMPDIR", at("temporary").toUtf8());
 }
@@ -63,12 +78,15 @@ void TestArchiveExport::cleanup() {
   QVERIFY(QDir(at("temporary")).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
 }
 
-Outcome TestArchiveExport::exported(int port, const QString& source, const QString& options) const {
-  QFile list(at("volumen/archives.json"));
-  if (list.open(QIODevice::WriteOnly))
-    list.write(R"({"archives": [{"name": "to", "kind": "dimse", "host": "127.0.0.1", "port": )" +
+void TestArchiveExport::list(int port) const {
+  QFile file(at("volumen/archives.json"));
+  if (file.open(QIODevice::WriteOnly))
+    file.write(R"({"archives": [{"name": "to", "kind": "dimse", "host": "127.0.0.1", "port": )" +
                QByteArray::number(port) + R"(, "calledAe": "ANY"}]})");
-  list.close();
+}
+
+Outcome TestArchiveExport::exported(int port, const QString& source, const QString& options) const {
+  list(port);
   const QString given = QString(options)
                             .replace(QLatin1String("SHAPES"), at("shapes.json"))
                             .replace(QLatin1String("SEGMENTS"), at("segments.seg.nrrd"))
@@ -108,11 +126,39 @@ void TestArchiveExport::whatIsWrittenIsSent() {
   const QStringList kept = filesBelow(peer.folder());
   QCOMPARE(kept.size(), instances);
   QCOMPARE(filesBelow(at("scans")).size(), known);
-  DcmFileFormat file;
-  QVERIFY(file.loadFile(OFFilename(kept[0].toUtf8().constData())).good());
-  OFString value;
-  QVERIFY(file.getDataset()->findAndGetOFString(DCM_Modality, value).good());
-  QCOMPARE(QByteArray(value.c_str()), modality);
+  QCOMPARE(saidBy(kept[0], DCM_Modality).toLatin1(), modality);
+}
+
+void TestArchiveExport::orthancGivesEachBack() {
+  if (!OrthancPeer::isInstalled()) QSKIP("Orthanc is not installed (package orthanc)");
+  QFETCH(QString, options);
+  OrthancPeer orthanc;
+  QVERIFY(orthanc.start());
+  const QTemporaryDir row;
+  const QString written = row.filePath(QStringLiteral("written")),
+                back = row.filePath(QStringLiteral("back"));
+  const Outcome made = exported(orthanc.port(), at("scans"), options + QStringLiteral(" -o ") + written);
+  QVERIFY2(made.status == 0, made.err);
+  const QStringList files = QFileInfo(written).isDir() ? filesBelow(written) : QStringList{written};
+  const auto archive = [](const QStringList& words) {
+    return runProgram(QStringList{QStringLiteral("archive")} + words);
+  };
+  const Outcome sent = archive({QStringLiteral("send"), QStringLiteral("to"), written});
+  QVERIFY2(sent.status == 0, sent.err);
+  const QString study = saidBy(files[0], DCM_StudyInstanceUID);
+  const Outcome fetched =
+      archive({QStringLiteral("fetch"), QStringLiteral("to"), study, QStringLiteral("-o"), back});
+  QVERIFY2(fetched.status == 0, fetched.err);
+  std::map<QString, QString> returned;  // files by instance
+  for (const QString& file : filesBelow(back)) returned[saidBy(file, DCM_SOPInstanceUID)] = file;
+  QCOMPARE(returned.size(), std::size_t(files.size()));
+  for (const QString& file : files) {
+    DcmFileFormat one, other;
+    QVERIFY(one.loadFile(OFFilename(file.toUtf8().constData())).good());
+    QVERIFY(
+        other.loadFile(OFFilename(returned[saidBy(file, DCM_SOPInstanceUID)].toUtf8().constData())).good());
+    QVERIFY2(one.getDataset()->compare(*other.getDataset()) == 0, qPrintable(file));
+  }
 }
 
 void TestArchiveExport::whatIsNotTakenIsTold() {

@@ -31,6 +31,7 @@ class TestPresentationWritten : public QObject {
   void layersGetNamesOfTheirOwn();
   void whatItCannotHoldIsTold();
   void longShapesAreWrittenWhole();
+  void longTextsAreCut();
   void namesStayAsTheyAre_data() { addNames(); }
   void namesStayAsTheyAre();
   void whatCannotBeWrittenIsRefused();
@@ -201,6 +202,28 @@ void TestPresentationWritten::longShapesAreWrittenWhole() {
   const auto read = loadPresentation(in.out());
   QVERIFY(read && read->warnings.empty());
   QVERIFY(read->annotations.at(0).graphics.at(0).points == line.points);
+}
+
+// The VR counts characters, not bytes.
+void TestPresentationWritten::longTextsAreCut() {
+  const NamedSlices in;
+  const auto withText = [](int characters) {
+    Presentation p;
+    const std::string text = QString(characters, QChar(0x00fc)).toStdString();
+    p.annotations.push_back(
+        {{}, {}, {{text, {}, GraphicText::Anchor{{2, 2}, AnnotationUnits::pixel, false}, "A"}}});
+    return p;
+  };
+  for (const int characters : {1024, 1500}) {
+    const std::string path = in.out() + std::to_string(characters);
+    const auto notes =
+        writePresentationState(withText(characters), in.series, *firstFrame(in.series), {}, path);
+    QVERIFY2(notes, notes ? "" : notes.message().c_str());
+    QCOMPARE(notes->size(), std::size_t(characters > 1024));
+    const auto read = loadPresentation(path);
+    QVERIFY(read);
+    QCOMPARE(read->annotations.at(0).texts.at(0).text, withText(1024).annotations[0].texts[0].text);
+  }
 }
 
 void TestPresentationWritten::namesStayAsTheyAre() {
