@@ -14,6 +14,7 @@
 #include "io/export/segmentation_frames.h"
 #include "io/segmentation.h"
 #include "io/study/series.h"
+#include "viewer/segment/acquired_slices.h"
 #include "viewer/segment/pixel_outlines.h"
 #include "viewer/segment/tissue_codes.h"
 #include "viewer/slice/plane.h"
@@ -56,9 +57,14 @@ std::string contourData(const std::vector<glm::ivec2>& outline, const DicomSourc
 // Makes the contours of the segments on the slices of a series.
 class RegionMaker {
  public:
-  // `distance` of slices is in mm.
-  RegionMaker(const DicomSource& source, glm::ivec2 size, double distance)
-      : source_(source), size_(size), distance_(distance) {}
+  // `distance` is that of slices of the grid, in mm.
+  RegionMaker(const DicomSource& source, glm::ivec2 size, double distance) : source_(source), size_(size) {
+    const glm::dvec3 normal = glm::cross(place(0).right, place(0).down);
+    std::vector<double> places;
+    for (int slice = 0; slice < int(source.slices.size()); ++slice)
+      places.push_back(glm::dot(place(slice).position, normal) / distance);
+    for (const double share : sharesOf(places)) sharesMm_.push_back(share * distance);
+  }
 
   // `frames` holds one segment.
   void add(const SegmentationFrames& frames, WrittenRegion& region) const {
@@ -71,7 +77,7 @@ class RegionMaker {
       for (const auto& outline : pixelOutlines(pixels, size_))
         append(region.contours, contour(outline, slice, ++number));
       region.mm3 += double(std::ranges::count(pixels, std::uint8_t(1))) * place(slice).mm.x *
-                    place(slice).mm.y * distance_;
+                    place(slice).mm.y * sharesMm_[std::size_t(slice)];
     }
   }
 
@@ -100,7 +106,7 @@ class RegionMaker {
 
   const DicomSource& source_;
   glm::ivec2 size_;
-  double distance_;
+  std::vector<double> sharesMm_;  // length along the normal that belongs to each slice
 };
 
 std::string regionName(const Segment& segment, std::size_t n) {

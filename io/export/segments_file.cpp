@@ -1,5 +1,7 @@
 #include "io/export/segments_file.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <numeric>
 
@@ -30,21 +32,36 @@ std::int64_t voxelsMarked(const LabelMap& labels) {
   return labels.geometry().voxelCount() - labelCounts(labels)[0];
 }
 
+// Counts the labelled voxels in each slice that counts(voxel) is true for.
+template <class Counts>
+std::vector<std::int64_t> voxelsBySlice(const LabelMap& labels, const Counts& counts) {
+  const glm::ivec3 size = labels.geometry().size;
+  std::vector<std::int64_t> all(std::size_t(size.z));
+  parallelFor(size.z, 0, [&](std::int64_t begin, std::int64_t end) {
+    std::vector<std::uint8_t> row(std::size_t(size.x));
+    for (std::int64_t k = begin; k < end; ++k)
+      for (int j = 0; j < size.y; ++j) {
+        labels.readRow(j, int(k), row.data());
+        for (int i = 0; i < size.x; ++i)
+          if (row[std::size_t(i)] != 0 && counts(glm::ivec3(i, j, k))) ++all[std::size_t(k)];
+      }
+  });
+  return all;
+}
+
 // Counts labelled voxels with their centre outside a grid.
 std::int64_t voxelsOutside(const LabelMap& labels, const VoxelGeometry& grid) {
   const VoxelGeometry& own = labels.geometry();
-  std::vector<std::int64_t> counts(std::size_t(own.size.z));
-  parallelFor(own.size.z, 0, [&](std::int64_t begin, std::int64_t end) {
-    std::vector<std::uint8_t> row(std::size_t(own.size.x));
-    for (std::int64_t k = begin; k < end; ++k)
-      for (int j = 0; j < own.size.y; ++j) {
-        labels.readRow(j, int(k), row.data());
-        for (int i = 0; i < own.size.x; ++i)
-          if (row[std::size_t(i)] != 0 && !isInside(grid, own.patientFromVoxel({i, j, k})))
-            ++counts[std::size_t(k)];
-      }
-  });
+  const auto counts =
+      voxelsBySlice(labels, [&](glm::ivec3 voxel) { return !isInside(grid, own.patientFromVoxel(voxel)); });
   return std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
+}
+
+// Returns the volume of labels on slices as acquired, in mm^3.
+double mm3OnSlices(const LabelMap& onSlices, const std::vector<double>& places, const VoxelGeometry& grid) {
+  const auto counts = voxelsBySlice(onSlices, [](glm::ivec3) { return true; });
+  const std::vector<double> shares = sharesOf(places);
+  return grid.voxelVolume() * std::inner_product(counts.begin(), counts.end(), shares.begin(), 0.0);
 }
 
 // Counts set pixels of a segmentation with their centre outside a grid.
@@ -70,16 +87,21 @@ struct Moved {
   double outside = 0;  // volume in the file that lies outside the series
 };
 
-Status noteMoved(SegmentsFile& file, const std::string& from, const std::string& to, const Moved& moved) {
-  if (moved.after == 0 && moved.outside == moved.before)
-    return Error{"All of its segments lie outside " + to + "."};
-  file.notes.push_back("The segments lie on another grid" + from + ": each voxel of " + to +
-                       " has what the nearest of them has; " + mlText(moved.before) + " became " +
-                       mlText(moved.after) + ".");
+// `how` says what was done to the segments.
+Status noteMoved(SegmentsFile& file, const std::string& how, const std::string& whose, const Moved& moved) {
+  if (moved.after == 0 && moved.outside >= moved.before)
+    return Error{"All of its segments lie outside " + whose + "."};
+  if (!how.empty())
+    file.notes.push_back(how + "; " + mlText(moved.before) + " became " + mlText(moved.after) + ".");
   if (moved.outside > 0)
-    file.notes.push_back(mlText(moved.outside) + " of the segments lie outside " + to +
+    file.notes.push_back(mlText(moved.outside) + " of the segments lie outside " + whose +
                          ", and were left out.");
   return {};
+}
+
+std::string toNearest(const std::string& from, const std::string& whose) {
+  return "The segments lie on another grid" + from + ": each voxel of " + whose +
+         " has what the nearest of them has";
 }
 
 }  // namespace
@@ -108,24 +130,52 @@ Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid, const 
   if (before == 0) return file;
   const Moved moved{double(before) * own.voxelVolume(), double(after) * grid.voxelVolume(),
                     double(outside) * own.voxelVolume()};
-  if (Status s = noteMoved(file, " (" + sizeText(own.size) + " voxels)", whose, moved); !s) return s.error();
+  const std::string how = toNearest(" (" + sizeText(own.size) + " voxels)", whose);
+  if (Status s = noteMoved(file, how, whose, moved); !s) return s.error();
   return file;
 }
 
-// If as many voxels as pixels are set, the grid holds each pixel.
+namespace {
+
+// Notes what it changes that each slice of the grid has what the nearest acquired one has.
+Status noteSpread(SegmentsFile& file, double outside, const AcquiredSlices& slices,
+                  const VoxelGeometry& grid) {
+  constexpr double unchanged = 0.005;
+  Moved moved{0, 0, outside};
+  for (const Segmented& map : file.maps) {
+    moved.before += mm3OnSlices(map.acquired->labels, slices.places, grid);
+    moved.after += double(voxelsMarked(map.labels)) * grid.voxelVolume();
+  }
+  const bool isSame = std::abs(moved.after - moved.before) <= unchanged * moved.before;
+  return noteMoved(file,
+                   isSame ? ""
+                          : "The segments lie on the acquired slices: each even slice of the series has what "
+                            "the nearest of them has",
+                   "the series", moved);
+}
+
+}  // namespace
+
 Result<SegmentsFile> onGrid(const Segmentation& s, const VoxelGeometry& grid, const CancelToken& cancel,
                             const AcquiredSlices& slices) {
   if (!grid.calibrated) return Error{"Where the series lies is not known: segments have no place in it."};
   SegmentsFile file{segmentedOf(s, grid, cancel, slices), s.notes};
   if (cancel.cancelled()) return Error{"Cancelled."};
+  const double pixel = s.mm.x * s.mm.y * s.thickness;
+  const auto isOnSlices = [](const Segmented& map) { return map.acquired != nullptr; };
+  if (!file.maps.empty() && std::ranges::all_of(file.maps, isOnSlices)) {
+    if (Status status = noteSpread(file, double(pixelsOutside(s, grid)) * pixel, slices, grid); !status)
+      return status.error();
+    return file;
+  }
   std::int64_t before = 0, after = 0;
   for (std::size_t n = 0; n < s.segments.size(); ++n) before += pixelsOf(s, n);
   for (const Segmented& map : file.maps) after += voxelsMarked(map.labels);
-  const double pixel = s.mm.x * s.mm.y * s.thickness;
-  if (before == after) return file;
+  if (before == after) return file;  // the grid holds each pixel
   const Moved moved{double(before) * pixel, double(after) * grid.voxelVolume(),
                     double(pixelsOutside(s, grid)) * pixel};
-  if (Status status = noteMoved(file, "", "the series", moved); !status) return status.error();
+  if (Status status = noteMoved(file, toNearest("", "the series"), "the series", moved); !status)
+    return status.error();
   return file;
 }
 

@@ -123,6 +123,11 @@ BitMask maskOnSlices(const Segmentation& s, std::size_t segment, const VoxelGeom
   return mask;
 }
 
+TwoMasks twoMasks(BitMask onSlices, const AcquiredSlices& slices, const VoxelGeometry& grid) {
+  BitMask drawn = fromAcquired(onSlices, slices, grid);
+  return {std::move(drawn), std::move(onSlices)};
+}
+
 }  // namespace
 
 std::int64_t pixelsOf(const Segmentation& s, std::size_t segment) {
@@ -270,8 +275,8 @@ std::vector<Segmented> segmentedOf(const Segmentation& s, const VoxelGeometry& g
   const std::vector<std::size_t> sliceOf = slicesOf(s, grid, slices);
   std::vector<SharedLabels> maps;
   for (std::size_t n = 0; n < s.segments.size() && !cancel.cancelled(); ++n) {
-    TwoMasks mask{maskOf(s, n, grid, cancel), {}};
-    if (!sliceOf.empty()) mask.onSlices = maskOnSlices(s, n, grid, slices, sliceOf);
+    const TwoMasks mask = sliceOf.empty() ? TwoMasks{maskOf(s, n, grid, cancel), {}}
+                                          : twoMasks(maskOnSlices(s, n, grid, slices, sliceOf), slices, grid);
     auto map = std::ranges::find_if(maps, [&](const SharedLabels& m) { return m.hasRoomFor(mask); });
     if (map == maps.end()) map = maps.insert(map, SharedLabels(mask));
     map->add(s.segments[n], mask);

@@ -98,8 +98,8 @@ BitMask maskOf(const Segmentation& segmentation, std::size_t segment, const Voxe
 /// Returns all segments on a grid, ready for editing. They share one label map unless they overlap: a segment
 /// that shares a voxel with others, or finds no free label, goes to the first further map where it fits. Its
 /// number becomes its label, the one of its file if possible. The result is incomplete if cancelled.
-/// If the grid was resampled from `slices`, labels on the slices are returned too, provided each plane lies
-/// on one of them.
+/// If the grid was resampled from `slices` and each plane lies on one of them, labels on the slices are
+/// returned too, and each slice of the grid has those of the nearest one.
 std::vector<Segmented> segmentedOf(const Segmentation& segmentation, const VoxelGeometry& grid,
                                    const CancelToken& cancel = {}, const AcquiredSlices& slices = {});
 

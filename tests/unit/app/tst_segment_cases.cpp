@@ -5,6 +5,8 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 #include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
 #include <map>
 
 #include "io/load.h"
@@ -26,6 +28,8 @@ class TestSegmentCases : public QObject {
   void unevenSlicesAreMarkedByTheirOwnValues();
   void aHeadInThinAndThickSlicesIsMarkedByItsValues();
   void unevenSlicesComeBackAsTheyWent();
+  void unevenSlicesKeepTheirVolume_data();
+  void unevenSlicesKeepTheirVolume();
   void slicesWithoutVoxelsAreNamed();
   void whatASegmentIsOfStays_data();
   void whatASegmentIsOfStays();
@@ -52,6 +56,35 @@ QString pixelsByPlace(const QString& path, std::size_t segment = 0) {
   QStringList texts;
   for (const auto& [z, count] : pixels) texts << QStringLiteral("%1: %2").arg(z).arg(count);
   return texts.join(QStringLiteral(", "));
+}
+
+/// Returns the ml of the first segment: each frame reaches half way to the next ones, and at the ends half of
+/// the smallest distance outwards.
+double mlByPlaces(const QString& path) {
+  const Result<Segmentation> s = loadSegmentation(path.toStdString());
+  if (!s) return -1;
+  const glm::dvec3 normal = glm::cross(s->right, s->down);
+  std::map<double, double> area;  // mm^2 by place along the normal
+  for (std::size_t n = 0; n < s->frames.size(); ++n)
+    for (int y = 0; y < s->size.y; ++y)
+      for (int x = 0; x < s->size.x; ++x)
+        area[glm::dot(s->frames[n].origin, normal)] += s->isSet(n, x, y) ? s->mm.x * s->mm.y : 0;
+  const std::vector<std::pair<double, double>> planes(area.begin(), area.end());
+  double mm3 = 0, least = HUGE_VAL;
+  for (std::size_t n = 0; n + 1 < planes.size(); ++n) {
+    const double distance = planes[n + 1].first - planes[n].first;
+    mm3 += distance / 2 * (planes[n].second + planes[n + 1].second);
+    least = std::min(least, distance);
+  }
+  return (mm3 + least / 2 * (planes.front().second + planes.back().second)) / 1000;
+}
+
+/// Returns the ml of the first segment of a file by `volumen measure`.
+double mlMeasured(const QString& series, const QString& segments) {
+  const Outcome a = runProgram({QStringLiteral("measure"), series, QStringLiteral("--segments"), segments});
+  const QJsonValue ml =
+      QJsonDocument::fromJson(a.out)[QStringLiteral("segments")][0][QStringLiteral("millilitres")];
+  return ml.toDouble(-1);
 }
 
 Segment firstSegmentOf(const QString& path) {
@@ -167,6 +200,34 @@ void TestSegmentCases::unevenSlicesComeBackAsTheyWent() {
       runSegment({caseAt("uneven"), QStringLiteral("--from"), first, QStringLiteral("-o"), second});
   QVERIFY2(done.status == 0 && !done.err.contains("no voxels of their own"), done.err.constData());
   QCOMPARE(pixelsByPlace(second), pixelsByPlace(first));
+}
+
+void TestSegmentCases::unevenSlicesKeepTheirVolume_data() {
+  QTest::addColumn<QString>("series");
+  QTest::addColumn<QString>("range");
+  QTest::newRow("slices 4 and 7 mm apart, tilted")
+      << QString::fromStdString(dataPath("dicom-geometry/ct-ge-tilt-varspacing-28"))
+      << QStringLiteral("300:5000");
+  QTest::newRow("a slice is missing")
+      << QString::fromStdString(dataPath("mr-head-siemens-gap-175")) << QStringLiteral("100:5000");
+}
+
+// Slices of the even grid between two frames have what the nearest of these has, so no volume is lost.
+void TestSegmentCases::unevenSlicesKeepTheirVolume() {
+  QFETCH(QString, series);
+  QFETCH(QString, range);
+  NEED_DATA(series.toStdString());
+  const QTemporaryDir folder;
+  const QString seg = folder.filePath(QStringLiteral("a.dcm")), rt = folder.filePath(QStringLiteral("r.dcm"));
+  const Outcome made = runSegment({series, QStringLiteral("--range"), range, QStringLiteral("-o"), seg});
+  QVERIFY2(made.status == 0, made.err.constData());
+  const double ml = mlByPlaces(seg), measured = mlMeasured(series, seg);
+  QVERIFY2(std::abs(measured - ml) < 0.02 * ml, qPrintable(QStringLiteral("%1, %2").arg(measured).arg(ml)));
+  const Outcome contours =
+      runProgram({QStringLiteral("export"), series, QStringLiteral("--as"), QStringLiteral("rtstruct"),
+                  QStringLiteral("--segments"), seg, QStringLiteral("-o"), rt});
+  QVERIFY2(contours.status == 0, contours.err.constData());
+  QCOMPARE(mlMeasured(series, rt), measured);
 }
 
 // Steps that consider neighbouring voxels work in the evenly spaced grid.
