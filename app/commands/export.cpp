@@ -41,6 +41,9 @@ constexpr Kept keepable[] = {{"uids", &Retained::uids},       {"dates", &Retaine
 // A second run would take the copies for sources.
 bool isWithin(const std::string& folder, const std::string& source) {
   std::error_code ignored;
+  if (std::filesystem::is_regular_file(source, ignored))
+    return std::filesystem::equivalent(folder, std::filesystem::canonical(source, ignored).parent_path(),
+                                       ignored);
   const auto inner = std::filesystem::weakly_canonical(folder, ignored).string() + "/";
   const auto outer = std::filesystem::weakly_canonical(source, ignored).string() + "/";
   return std::filesystem::is_directory(source, ignored) && inner.starts_with(outer);
@@ -62,10 +65,16 @@ void noteSeries(const std::vector<std::string>& series, const char* what) {
 }
 
 Json toJson(const DeidentifyReport& report) {
-  return {
-      {"written", report.written},     {"alreadyThere", report.alreadyThere}, {"twice", report.twice},
-      {"notDicom", report.notDicom},   {"leftOut", listOf(report.leftOut)},   {"withText", report.withText},
-      {"withFaces", report.withFaces}, {"withoutSuv", report.withoutSuv},     {"faceless", report.faceless}};
+  return {{"written", report.written},
+          {"alreadyThere", report.alreadyThere},
+          {"twice", report.twice},
+          {"notDicom", report.notDicom},
+          {"leftOut", listOf(report.leftOut)},
+          {"withText", report.withText},
+          {"withFaces", report.withFaces},
+          {"withoutSuv", report.withoutSuv},
+          {"withoutMosaic", report.withoutMosaic},
+          {"faceless", report.faceless}};
 }
 
 void print(const DeidentifyReport& report, const std::string& folder, bool json) {
@@ -90,6 +99,8 @@ void warn(const DeidentifyReport& report) {
   noteSeries(report.withFaces, "A face may be recognised in pictures of a head");
   noteSeries(report.withoutSuv,
              "SUV cannot be computed any more (--keep patient,dates keeps what it needs, or --shift-dates)");
+  noteSeries(report.withoutMosaic,
+             "The slices of a Siemens mosaic form no volume any more, as their private header is gone");
 }
 
 void print(const std::vector<std::string>& files, const std::vector<std::string>& notes, bool json) {
@@ -150,8 +161,13 @@ int deidentify(const ExportOptions& options, const CancelToken& cancel) {
   if (!how) return fail(how.message());
   const auto files = filesOfPath(job.path, terminalProgress(), cancel);
   if (!files) return fail(files.message(), cancel);
-  const auto report = deidentifyFiles(*files, target->path(), *how, terminalProgress(), cancel);
+  int complete = 0;
+  const auto report = deidentifyFiles(*files, target->path(), *how, terminalProgress(), cancel, &complete);
   endTerminalProgress();
+  if (!report && complete > 0 && !target->archive())
+    return fail((cancel.cancelled() ? "Interrupted." : report.message()) + " Copies of " +
+                std::to_string(complete) + " of " + std::to_string(files->size()) + " files are in " +
+                job.output + ", each of them whole.");
   if (!report) return fail(report.message(), cancel);
   const int done = report->written + report->alreadyThere;
   if (done == 0 && report->leftOut.empty()) return fail(job.path + " holds no DICOM files.");
@@ -199,7 +215,7 @@ Status checkIdentity(const ExportOptions& options) {
     return Error{"--keep, --shift-dates and --key go with --deidentify."};
   }
   if (isWithin(job.output, job.path))
-    return Error{job.output + " lies within " + job.path + ": name another folder."};
+    return Error{job.output + " is among the originals of " + job.path + ": name another folder."};
   const bool keepsDates = std::ranges::find(options.kept, "dates") != options.kept.end();
   if (keepsDates && options.retained.shiftDays != 0)
     return Error{"Dates are kept or shifted, not both: leave out \"dates\" or --shift-dates."};

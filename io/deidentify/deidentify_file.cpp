@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <set>
 
+#include "io/deidentify/copied_pixels.h"
 #include "io/deidentify/rewrite_data_set.h"
+#include "io/dicom/csa.h"
 #include "io/dicom/data_set.h"
-#include "io/dicom/fragments.h"
 #include "io/dicom/scanned_file.h"
 #include "io/export/dicom_file.h"
 #include "io/regular_file.h"
@@ -14,14 +15,14 @@
 
 namespace volumen {
 
-static void fields(worker::Wire& w, FilePart& part) { w(part.offset, part.length, part.bytes); }
+static void fields(worker::Wire& w, FilePart& part) { w(part.offset, part.length, part.bytes, part.kept); }
 static void fields(worker::Wire& w, Retained& r) {
   w(r.uids, r.dates, r.device, r.institution, r.patient, r.descriptors, r.privates, r.shiftDays);
 }
 static void fields(worker::Wire& w, Deidentification& d) { w(d.retained, d.key, d.deface); }
 static void fields(worker::Wire& w, DeidentifiedFile& f) {
   w(f.parts, f.transferSyntax, f.sopClass, f.studyUid, f.seriesUid, f.instanceUid, f.modality, f.mayShowText,
-    f.mayShowFace, f.hasLostSuv, f.encoding.explicitVr, f.encoding.bigEndian, f.words);
+    f.mayShowFace, f.hasLostSuv, f.hasLostMosaic, f.encoding.explicitVr, f.encoding.bigEndian, f.words);
 }
 
 namespace {
@@ -58,6 +59,9 @@ void notePixels(const DataSet& data, const Retained& retained, DeidentifiedFile&
   file.mayShowFace = mayShowFace(file.modality, part);
   file.hasLostSuv =
       file.modality == "PT" && !(retained.patient && (retained.dates || retained.shiftDays != 0));
+  const std::vector<std::string> types = data.values(0x00080008, data.root());
+  file.hasLostMosaic =
+      std::ranges::find(types, "MOSAIC") != types.end() && !dicom::readCsaImageHeader(data).empty();
 }
 
 // Returns the number of 16-bit words of a grey picture of one frame; 0 if its pixels are of another kind.
@@ -69,33 +73,17 @@ std::size_t wordsOfPixels(const DataSet& data) {
   return isGrey ? std::size_t(word(0x00280010)) * std::size_t(word(0x00280011)) : 0;
 }
 
-// Adds the pixels as they are.
-Status addPixels(const ScannedFile& s, const RegularFile& file, Encoding encoding, FileParts& parts) {
-  if (!s.dataSet.pixels) return {};
-  const dicom::Element& e = *s.dataSet.pixels;
-  const std::uint16_t vr = e.vr ? e.vr : dicom::vrOf('O', 'W');
-  if (e.length != dicom::undefinedLength) {
-    if (e.offset + e.length > s.size) return Error{"its pixels are cut off"};
-    parts.addHeader(encoding, e.tag, vr, std::uint32_t(e.length));
-    parts.copy(e.offset, e.length);
-    return {};
-  }
-  if (s.inflatedFrom) return Error{"its pixels are compressed twice"};
-  const auto end = dicom::endOfFragments(file, e);
-  if (!end) return end.error();
-  parts.addHeader(encoding, e.tag, vr, std::uint32_t(dicom::undefinedLength));
-  parts.copy(e.offset, *end - e.offset);
-  return {};
-}
-
 Status rewrite(const ScannedFile& s, const RegularFile& file, const Rewriting& how,
                const Pseudonyms& pseudonyms, DeidentifiedFile& out) {
   const Encoding encoding = s.syntax.encoding;
   FileParts parts(s.head, s.inflatedFrom == 0);
   if (Status done = rewriteDataSet({s.head, s.dataSet.elements, encoding}, how, pseudonyms, parts); !done)
     return done;
-  if (!how.isFaceless)
-    if (Status added = addPixels(s, file, encoding, parts); !added) return added;
+  if (!how.isFaceless) {
+    const auto pixels = addPixels(s, file, parts);
+    if (!pixels) return pixels.error();
+    out.mayShowText = out.mayShowText || pixels->keepOverlays;
+  }
   out.parts = std::move(parts).take();
   return {};
 }
@@ -169,8 +157,9 @@ Status forEachPart(const DeidentifiedFile& file, const std::string& source, cons
       if (Status s = take(part.bytes); !s) return s;
     const std::uint64_t end = part.offset + part.length;
     for (std::uint64_t at = part.offset; part.bytes.empty() && at < end; at += most) {
-      const auto bytes = from->read(at, std::min(most, end - at));
+      auto bytes = from->read(at, std::min(most, end - at));
       if (!bytes) return Error{source + " cannot be read: " + bytes.message() + "."};
+      clearBits(std::span(*bytes), part.kept);
       if (Status s = take({reinterpret_cast<const char*>(bytes->data()), bytes->size()}); !s) return s;
     }
   }

@@ -26,11 +26,12 @@ struct DeidentifiedFile {
   std::vector<FilePart> parts;  ///< of the data set, in `transferSyntax`
   std::string transferSyntax, sopClass, studyUid, seriesUid, instanceUid;  ///< the new ones
   std::string modality;
-  bool mayShowText = false;  ///< names may be burned into the pixels
-  bool mayShowFace = false;  ///< a face may be recognised in a rendering
-  bool hasLostSuv = false;   ///< weight or times are gone, without which PET shows no SUV
-  dicom::Encoding encoding;  ///< of the data set
-  std::size_t words = 0;     ///< of 16 bits, in its pixels; 0 if these are of another kind
+  bool mayShowText = false;    ///< names may be burned into the pixels
+  bool mayShowFace = false;    ///< a face may be recognised in a rendering
+  bool hasLostSuv = false;     ///< weight or times are gone, without which PET shows no SUV
+  bool hasLostMosaic = false;  ///< the private header is gone that tells the slices of a Siemens mosaic
+  dicom::Encoding encoding;    ///< of the data set
+  std::size_t words = 0;       ///< of 16 bits, in its pixels; 0 if these are of another kind
 };
 
 /// Returns a file of PS3.10 de-identified (rewriteDataSet()), read in a worker if there are any. The Error,

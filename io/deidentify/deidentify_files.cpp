@@ -7,6 +7,7 @@
 
 #include "io/deidentify/deidentify_file.h"
 #include "io/deidentify/faceless_series.h"
+#include "io/deidentify/made_folder.h"
 #include "io/dicom/parallel.h"
 #include "io/files/name_for_uid.h"
 #include "io/files/private_folder.h"
@@ -53,13 +54,18 @@ class Copies {
         report_.leftOut.push_back({path, "another file with other contents has the same instance UID"});
   }
 
+  // The number of copies that are whole.
+  int complete() const { return report_.written + report_.alreadyThere; }
+
   Result<DeidentifyReport> report() && {
+    if (cancel_.cancelled() || !problem_) removeEmptyFolders();
     if (cancel_.cancelled()) return Error{"cancelled"};
     if (!problem_) return problem_.error();
     std::ranges::sort(report_.leftOut, {}, &Refused::path);
     report_.withText.assign(withText_.begin(), withText_.end());
     report_.withFaces.assign(withFaces_.begin(), withFaces_.end());
     report_.withoutSuv.assign(withoutSuv_.begin(), withoutSuv_.end());
+    report_.withoutMosaic.assign(withoutMosaic_.begin(), withoutMosaic_.end());
     report_.faceless.assign(faceless_.begin(), faceless_.end());
     return std::move(report_);
   }
@@ -69,6 +75,15 @@ class Copies {
   }
 
  private:
+  // Removes the folders of copies that could not be written.
+  void removeEmptyFolders() const {
+    std::error_code ignored;
+    for (const std::string& target : targets_) {
+      const fs::path series = fs::path(target).parent_path();
+      if (fs::remove(series, ignored)) fs::remove(series.parent_path(), ignored);
+    }
+  }
+
   void write(const std::string& path, const DeidentifiedFile& file, bool isFaceless) {
     const std::string series = folder_ + "/" + nameForUid(file.studyUid) + "/" + nameForUid(file.seriesUid);
     const std::string target = series + "/" + nameForUid(file.instanceUid) + ".dcm";
@@ -79,12 +94,16 @@ class Copies {
     if (written && !isThere) written = writeDeidentified(file, path, target);
     const bool isSame = !isThere || isWrittenAt(file, path, target);
     const std::lock_guard lock(mutex_);
-    if (!written) problem_ = written;
+    if (!written) {
+      if (problem_) problem_ = written;
+      return;
+    }
     if (!isSame) return report_.leftOut.push_back({path, target + " is there already, with other contents"});
     ++(isThere ? report_.alreadyThere : report_.written);
     if (file.mayShowText) withText_.insert(series);
     if (file.mayShowFace) withFaces_.insert(series);
     if (file.hasLostSuv) withoutSuv_.insert(series);
+    if (file.hasLostMosaic) withoutMosaic_.insert(series);
     if (isFaceless) faceless_.insert(series);
   }
   bool claim(const std::string& target) {
@@ -115,7 +134,7 @@ class Copies {
   Status problem_;  // of the folder
   DeidentifyReport report_;
   std::vector<Later> later_;
-  std::set<std::string> targets_, withText_, withFaces_, withoutSuv_, faceless_;
+  std::set<std::string> targets_, withText_, withFaces_, withoutSuv_, withoutMosaic_, faceless_;
   std::set<std::string> done_;  // files whose copies have other pixels
 };
 
@@ -136,7 +155,8 @@ Status addFaceless(Copies& copies, const std::vector<std::string>& files, const 
 
 Result<DeidentifyReport> deidentifyFiles(const std::vector<std::string>& files, const std::string& folder,
                                          const Deidentification& how, const Progress& progress,
-                                         const CancelToken& cancel) {
+                                         const CancelToken& cancel, int* complete) {
+  const MadeFolder ours(folder);
   if (Status made = makePrivateFolder(folder); !made) return made.error();
   Copies copies(folder, how, cancel);
   if (how.deface)
@@ -145,6 +165,7 @@ Result<DeidentifyReport> deidentifyFiles(const std::vector<std::string>& files, 
     if (!copies.hasProblem() && !copies.isDone(files[n])) copies.add(files[n]);
   });
   copies.compareAll();
+  if (complete) *complete = copies.complete();
   return std::move(copies).report();
 }
 

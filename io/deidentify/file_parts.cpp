@@ -12,15 +12,19 @@ void appendNumber(std::string& bytes, T number, bool bigEndian) {
 
 }  // namespace
 
-void FileParts::copy(std::uint64_t offset, std::uint64_t length) {
+void FileParts::copy(std::uint64_t offset, std::uint64_t length, std::uint16_t kept) {
   if (length == 0) return;
-  if (!isInFile_) return add({reinterpret_cast<const char*>(source_.data()) + offset, length});
-  const bool goesOn =
-      !parts_.empty() && parts_.back().bytes.empty() && parts_.back().offset + parts_.back().length == offset;
+  if (!isInFile_) {
+    std::string bytes(reinterpret_cast<const char*>(source_.data()) + offset, length);
+    clearBits(std::span(bytes), kept);
+    return add(bytes);
+  }
+  const bool goesOn = kept == allBits && !parts_.empty() && parts_.back().bytes.empty() &&
+                      parts_.back().kept == allBits && parts_.back().offset + parts_.back().length == offset;
   if (goesOn)
     parts_.back().length += length;
   else
-    parts_.push_back({offset, length, {}});
+    parts_.push_back({offset, length, {}, kept});
 }
 
 void FileParts::add(std::string_view bytes) {

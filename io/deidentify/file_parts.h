@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -9,11 +10,25 @@
 
 namespace volumen {
 
+/// The bits of FilePart::kept that keep everything.
+inline constexpr std::uint16_t allBits = 0xffff;
+
 /// A part of a file to be written: new bytes, or, if there are none, a range of the source.
 struct FilePart {
   std::uint64_t offset = 0, length = 0;
   std::string bytes;
+  /// The bits that stay of a range: the low byte for its first, third, ... byte, the high byte for the
+  /// others.
+  std::uint16_t kept = allBits;
 };
+
+/// Sets the bits of `bytes` that a part does not keep to 0. `bytes` begin at an even place of the part.
+template <class Byte>
+void clearBits(std::span<Byte> bytes, std::uint16_t kept) {
+  if (kept == allBits) return;
+  for (std::size_t n = 0; n < bytes.size(); ++n)
+    bytes[n] = Byte(std::uint8_t(bytes[n]) & (n % 2 ? kept >> 8 : kept & 0xff));
+}
 
 /// Collects the parts of a data set. `source` are the bytes to which offsets refer. If they are not those of
 /// the source's file (inflated), all parts hold bytes.
@@ -21,8 +36,9 @@ class FileParts {
  public:
   FileParts(dicom::Bytes source, bool isInFile) : source_(source), isInFile_(isInFile) {}
 
-  /// Adds a range of the source; it may reach beyond the bytes at hand if they are those of the file.
-  void copy(std::uint64_t offset, std::uint64_t length);
+  /// Adds a range of the source; it may reach beyond the bytes at hand if they are those of the file. `kept`
+  /// as in FilePart.
+  void copy(std::uint64_t offset, std::uint64_t length, std::uint16_t kept = allBits);
   void add(std::string_view bytes);
   /// Adds an element with its value, padded to an even length (PS3.5 6.2, 7.1).
   void addElement(dicom::Encoding encoding, std::uint32_t tag, std::uint16_t vr, std::string_view value);

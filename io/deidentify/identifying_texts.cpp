@@ -1,6 +1,6 @@
 #include "io/deidentify/identifying_texts.h"
 
-#include <QString>
+#include <QStringList>
 #include <algorithm>
 
 namespace volumen {
@@ -12,37 +12,96 @@ namespace {
 constexpr std::uint32_t whole[] = {0x00100020, 0x00101000, 0x00080050, 0x00080080, 0x00081010};
 constexpr std::uint32_t names[] = {0x00100010, 0x00101001, 0x00101005, 0x00101060, 0x00080090,
                                    0x00081048, 0x00081050, 0x00081060, 0x00081070};
-constexpr qsizetype leastLetters = 4;  // shorter parts stand in other words by chance
+// Shorter parts stand in other texts by chance, and all but long ones in longer words.
+constexpr qsizetype leastLetters = 4, leastOfFamily = 3, leastOfWhole = 3, leastIdeographs = 2,
+                    leastInWords = 6;
 
-std::string folded(const std::string& text) {
-  return QString::fromStdString(text).toCaseFolded().toStdString();
+bool hasIdeographs(const QString& text) { return std::ranges::any_of(text, isIdeographic); }
+
+QStringList wordsOfName(QString name) {
+  name.replace(QLatin1Char('-'), QLatin1Char(' '));
+  return name.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
+}
+
+// Returns family name, given name and so on. Many write the two with a blank or a comma between them.
+QStringList componentsOf(const QString& group) {
+  const QStringList components = group.split(QLatin1Char('^'));
+  if (components.size() > 1) return components;
+  const QStringList words = wordsOfName(QString(group).replace(QLatin1Char(','), QLatin1Char(' ')));
+  return words.size() == 2 ? words : components;
+}
+
+bool isNameIn(const FoldedText& text, const QString& name, bool isInWords, bool isParted) {
+  for (qsizetype at = text.letters().indexOf(name); at >= 0; at = text.letters().indexOf(name, at + 1)) {
+    const qsizetype end = at + name.size();
+    bool hasParts = false;
+    for (qsizetype n = at + 1; n < end; ++n) hasParts = hasParts || text.isBoundary(n);
+    const bool isApart = text.isBoundary(at) && text.isBoundary(end);
+    if (isApart ? hasParts || !isParted : isInWords && !hasParts) return true;
+  }
+  return false;
 }
 
 }  // namespace
 
 IdentifyingTexts::IdentifyingTexts(const dicom::DataSet& data, const ConfidentialityProfile& profile) {
-  const auto textOf = [&](std::uint32_t tag) {
+  const auto valuesOf = [&](std::uint32_t tag) {
     const bool stays = profile.actionOf(tag, false) == ProfileAction::keep;
-    return stays ? QString() : QString::fromStdString(data.utf8(tag, data.root()));
-  };
-  const auto add = [&](const QString& text) {
-    const QString trimmed = text.trimmed();
-    if (trimmed.size() >= leastLetters) texts_.push_back(folded(trimmed.toStdString()));
+    return stays ? QStringList()
+                 : QString::fromStdString(data.utf8(tag, data.root())).split(QLatin1Char('\\'));
   };
   for (const std::uint32_t tag : whole)
-    for (const QString& value : textOf(tag).split(QLatin1Char('\\'))) add(value);
-  for (const std::uint32_t tag : names) {
-    QString name = textOf(tag);
-    for (const char separator : {'\\', '=', ' '}) name.replace(QLatin1Char(separator), QLatin1Char('^'));
-    for (const QString& part : name.split(QLatin1Char('^'))) add(part);
-  }
+    for (const QString& value : valuesOf(tag))
+      if (value.trimmed().size() >= leastLetters) texts_.push_back(value.trimmed().toCaseFolded());
+  for (const std::uint32_t tag : names)
+    for (const QString& value : valuesOf(tag))
+      for (const QString& group : value.split(QLatin1Char('='))) addName(group);
+}
+
+void IdentifyingTexts::addName(const QString& name) {
+  const QStringList components = componentsOf(name);
+  const QString family = components.value(0), given = components.value(1), middle = components.value(2);
+  const QString first = wordsOfName(given).value(0);
+  for (const QStringList& order :
+       {components, QStringList{family, given}, QStringList{given, family},
+        QStringList{given, middle, family}, QStringList{first, family}, QStringList{family, first}})
+    addWhole(order);
+  addPart(family, true);
+  for (const QString& component : components)
+    for (const QString& word : wordsOfName(component)) addPart(word, false);
+}
+
+void IdentifyingTexts::addWhole(const QStringList& parts) {
+  const auto isThere = [](const QString& part) {
+    return !FoldedText(part, Umlauts::spelled).letters().isEmpty();
+  };
+  if (std::ranges::count_if(parts, isThere) < 2) return;
+  const QString all = parts.join(QLatin1Char(' '));
+  Name name{FoldedText(all, Umlauts::spelled).letters(), FoldedText(all, Umlauts::dropped).letters()};
+  // Two initials without anything between them may be any word.
+  name.isParted = name.dropped.size() < leastOfWhole && !hasIdeographs(name.dropped);
+  names_.push_back(name);
+}
+
+void IdentifyingTexts::addPart(const QString& part, bool isFamily) {
+  Name name{FoldedText(part, Umlauts::spelled).letters(), FoldedText(part, Umlauts::dropped).letters()};
+  const qsizetype least = !isFamily                     ? leastLetters
+                          : hasIdeographs(name.dropped) ? leastIdeographs
+                                                        : leastOfFamily;
+  if (name.dropped.size() < least) return;
+  name.isInWords = name.dropped.size() >= leastInWords;
+  names_.push_back(name);
 }
 
 bool IdentifyingTexts::isIn(const std::string& text) const {
-  if (texts_.empty() || text.empty()) return false;
-  const std::string in = folded(text);
-  return std::ranges::any_of(texts_,
-                             [&](const std::string& one) { return in.find(one) != std::string::npos; });
+  if (text.empty() || (texts_.empty() && names_.empty())) return false;
+  const QString in = QString::fromStdString(text), inLowerCase = in.toCaseFolded();
+  if (std::ranges::any_of(texts_, [&](const QString& one) { return inLowerCase.contains(one); })) return true;
+  const FoldedText spelled(in, Umlauts::spelled), dropped(in, Umlauts::dropped);
+  return std::ranges::any_of(names_, [&](const Name& name) {
+    return isNameIn(spelled, name.spelled, name.isInWords, name.isParted) ||
+           isNameIn(dropped, name.dropped, name.isInWords, name.isParted);
+  });
 }
 
 }  // namespace volumen

@@ -30,6 +30,15 @@ enum Column {
 // Attributes that some classes need although their rows say that they are removed.
 constexpr std::uint32_t needed[] = {0x00700082, 0x00700083};  // of presentation states (PS3.3 C.11.10)
 
+// Birth and death by another calendar, and which one, are the dates that the table removes.
+constexpr std::uint32_t otherCalendar[] = {0x00100033, 0x00100034, 0x00100035};
+
+// UIDs that name no object: classes, transfer syntaxes, coding schemes, context groups, mapping resources and
+// versions of programs. The table lists none of them.
+constexpr std::uint32_t nameNoObject[] = {
+    0x00080016, 0x0008001a, 0x0008001b, 0x00080062, 0x0008010c, 0x00080117, 0x00080118, 0x00081150,
+    0x0008115a, 0x00083002, 0x00089123, 0x00340003, 0x04000010, 0x04000510, 0x30100052, 0x30100053};
+
 std::vector<std::string_view> splitAt(char separator, std::string_view text) {
   std::vector<std::string_view> parts;
   for (std::size_t at = 0; at <= text.size();) {
@@ -84,12 +93,14 @@ ConfidentialityProfile::Row ConfidentialityProfile::rowFrom(std::string_view lin
   return row;
 }
 
-ConfidentialityProfile::ConfidentialityProfile(const Retained& retained) {
+ConfidentialityProfile::ConfidentialityProfile(const Retained& retained) : retained_(retained) {
   for (const std::string& table : profileTables())
     for (const std::string_view line : splitAt('\n', table)) {
       const bool isRow = line.size() > 9 && line[4] == ',';
       if (isRow) rows_.push_back(rowFrom(line, retained));
     }
+  for (const std::uint32_t tag : otherCalendar)
+    rows_.push_back({tag, 0xffffffff, 0, ProfileAction::remove, ProfileAction::remove});
   // Clang 14 compiles no subrange of this library, which the other stable_partition returns.
   const auto open =
       std::stable_partition(rows_.begin(), rows_.end(), [](const Row& r) { return r.mask == 0xffffffff; });
@@ -106,10 +117,21 @@ const ConfidentialityProfile::Row* ConfidentialityProfile::rowOf(std::uint32_t t
   return found == rows_.end() ? nullptr : &*found;
 }
 
-ProfileAction ConfidentialityProfile::actionOf(std::uint32_t tag, bool isClassic) const {
+ProfileAction ConfidentialityProfile::actionOf(std::uint32_t tag, bool isClassic, std::uint16_t vr) const {
   const Row* const row = rowOf(tag);
-  if (!row) return ProfileAction::keep;
+  if (!row) return unlistedAction(tag, vr);
   return isClassic ? row->classic : row->other;
+}
+
+ProfileAction ConfidentialityProfile::unlistedAction(std::uint32_t tag, std::uint16_t vr) const {
+  const bool isUid = vr == dicom::vrOf('U', 'I');
+  const bool isTime =
+      vr == dicom::vrOf('D', 'A') || vr == dicom::vrOf('D', 'T') || vr == dicom::vrOf('T', 'M');
+  if (isUid && !retained_.uids && std::ranges::find(nameNoObject, tag) == std::end(nameNoObject))
+    return ProfileAction::newUid;
+  if (!isTime || retained_.dates) return ProfileAction::keep;
+  // Which class needs them is not known: an element without value does least harm.
+  return retained_.shiftDays != 0 ? ProfileAction::shift : ProfileAction::empty;
 }
 
 std::uint16_t ConfidentialityProfile::vrOf(std::uint32_t tag) const {

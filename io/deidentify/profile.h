@@ -29,10 +29,11 @@ class ConfidentialityProfile {
  public:
   explicit ConfidentialityProfile(const Retained& retained);
 
-  /// Returns what happens to a standard attribute; an attribute that the table does not list is kept. Where
-  /// the table leaves a choice, `isClassic` decides: it is true for images whose class needs no dates of
-  /// series and acquisition (isClassicImage()).
-  ProfileAction actionOf(std::uint32_t tag, bool isClassic) const;
+  /// Returns what happens to a standard attribute. Where the table leaves a choice, `isClassic` decides: it
+  /// is true for images whose class needs no dates of series and acquisition (isClassicImage()). Of the
+  /// attributes that the table does not list, `vr` (as Element::vr has it) tells dates, times and UIDs, which
+  /// are treated as those of the table are; all others are kept.
+  ProfileAction actionOf(std::uint32_t tag, bool isClassic, std::uint16_t vr = 0) const;
   /// Returns the VR of an attribute as Element::vr has it; 0 if the table does not list the attribute.
   std::uint16_t vrOf(std::uint32_t tag) const;
 
@@ -44,7 +45,9 @@ class ConfidentialityProfile {
   };
   const Row* rowOf(std::uint32_t tag) const;
   static Row rowFrom(std::string_view line, const Retained& retained);
+  ProfileAction unlistedAction(std::uint32_t tag, std::uint16_t vr) const;
 
+  Retained retained_;
   std::vector<Row> rows_;  // by tag; those with digits left open (50xx) behind the others
   std::size_t exact_ = 0;  // number of rows without open digits
 };

@@ -28,6 +28,7 @@ constexpr std::uint32_t imageType = 0x00080008, patientName = 0x00100010, patien
                         studyId = 0x00200010, studyUid = 0x0020000d, contentSequence = 0x0040a730,
                         personCodes = 0x00401101;
 constexpr std::uint16_t sequenceVr = vrOf('S', 'Q'), unknownVr = vrOf('U', 'N');
+constexpr std::uint16_t codeVr = vrOf('C', 'S'), uidVr = vrOf('U', 'I');
 constexpr const char* dummyText = "DEIDENTIFIED";
 
 // Returns the VR that DCMTK's dictionary has for a standard attribute, 0 if it does not know it.
@@ -75,6 +76,14 @@ bool isTextVr(std::uint16_t vr) {
                                      vrOf('U', 'T'), vrOf('U', 'C'), vrOf('P', 'N'), vrOf('A', 'E'),
                                      vrOf('U', 'R'), vrOf('U', 'N')};
   return std::ranges::find(texts, vr) != std::end(texts);
+}
+
+// Returns whether value `n` of a code is one of few that programs need to read the object: character set,
+// kind of image, modality, how pixels are stored, kind of a content item.
+bool isOfFormat(std::uint32_t tag, int n) {
+  constexpr std::uint32_t codes[] = {0x00080005, 0x00080060, 0x0040a010, 0x0040a040, 0x0040a050};
+  return tag >> 16 == 0x0028 || (tag == imageType && n < 2) ||
+         std::ranges::find(codes, tag) != std::end(codes);
 }
 
 bool isDateVr(std::uint16_t vr) { return vr == vrOf('D', 'A') || vr == vrOf('D', 'T'); }
@@ -127,7 +136,7 @@ class Rewrite {
     const std::uint16_t known = vrInDictionary(e.tag), listed = profile_.vrOf(e.tag);
     if (known == 0 && listed == 0) return;
     const std::uint16_t vr = e.vr && e.vr != unknownVr ? e.vr : listed ? listed : known;
-    const ProfileAction action = profile_.actionOf(e.tag, isClassic_ && place.isRoot);
+    const ProfileAction action = profile_.actionOf(e.tag, isClassic_ && place.isRoot, vr);
     // The pixels of overlays are removed, and their other attributes are invalid without them.
     const bool isOverlay = e.tag >> 24 == 0x60;
     if (action == ProfileAction::remove || isOverlay) return;
@@ -182,22 +191,25 @@ class Rewrite {
   void addValue(const Element& e, std::uint16_t vr, DataSet::Scope scope, Encoding encoding,
                 ProfileAction action) {
     const bool isMoved = retained_.shiftDays != 0 && isDateVr(vr) && action == ProfileAction::keep;
-    if (isFaceless_ && e.tag == imageType) return put(e, vr, encoding, derivedType(data_.text(e.tag, scope)));
+    if (isFaceless_ && e.tag == imageType)
+      return put(e, vr, encoding, derivedType(codesWithoutNames(e, scope)));
     if (e.length == 0) return copy(e, encoding);
     switch (isMoved ? ProfileAction::shift : action) {
       case ProfileAction::keep:
+        if (vr == codeVr && identifying_.isIn(data_.utf8(e.tag, scope)))
+          return put(e, vr, encoding, codesWithoutNames(e, scope));
         if (vr == vrOf('P', 'N') || (isTextVr(vr) && identifying_.isIn(data_.utf8(e.tag, scope))))
           return put(e, vr, encoding, dummyOf(vr));
         return copy(e, encoding);
       case ProfileAction::empty:
         return put(e, vr, encoding, pseudonymOf(e.tag));
       case ProfileAction::dummy: {
+        if (vr == uidVr) return addNewUid(e, vr, scope, encoding);
         const std::string name = pseudonymOf(e.tag);
         return put(e, vr, encoding, !name.empty() ? name : dummyOf(vr));
       }
       case ProfileAction::newUid:
-        return put(e, vr, encoding,
-                   each(e, scope, [&](const std::string& uid) { return pseudonyms_.uid(uid); }));
+        return addNewUid(e, vr, scope, encoding);
       case ProfileAction::shift:
         return addShifted(e, vr, scope, encoding);
       case ProfileAction::clean:
@@ -205,6 +217,20 @@ class Rewrite {
       case ProfileAction::remove:
         return;
     }
+  }
+
+  void addNewUid(const Element& e, std::uint16_t vr, DataSet::Scope scope, Encoding encoding) {
+    put(e, vr, encoding, each(e, scope, [&](const std::string& uid) { return pseudonyms_.uid(uid); }));
+  }
+
+  // Returns all values of a code, with a dummy for each that holds a name.
+  std::string codesWithoutNames(const Element& e, DataSet::Scope scope) const {
+    const std::string characters = data_.text(0x00080005, data_.root());
+    int n = 0;
+    return each(e, scope, [&](const std::string& code) {
+      const bool stays = isOfFormat(e.tag, n++) || !identifying_.isIn(dicom::toUtf8(code, characters));
+      return stays ? code : std::string(dummyText);
+    });
   }
 
   std::string wordsOf(const std::string& description) const {

@@ -4,6 +4,7 @@
 #include "io/deidentify/descriptor_words.h"
 #include "io/deidentify/profile.h"
 #include "io/deidentify/profile_tables.h"
+#include "io/dicom/scan.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/suite.h"
 
@@ -22,6 +23,8 @@ class TestConfidentialityProfile : public QObject {
   void everyRowCounts();
   void optionsKeepWhatTheySay_data();
   void optionsKeepWhatTheySay();
+  void unlistedTimesAndUidsAreTreatedAlike_data();
+  void unlistedTimesAndUidsAreTreatedAlike();
   void onlyKnownWordsStay_data();
   void onlyKnownWordsStay();
 };
@@ -103,6 +106,7 @@ void TestConfidentialityProfile::optionsKeepWhatTheySay_data() {
   row("weight", {.patient = true}, 0x00101030, Action::keep);
   row("sex", {.patient = true}, 0x00100040, Action::keep);
   row("descriptions", {.descriptors = true}, 0x0008103e, Action::clean);
+  row("birth by another calendar", {.dates = true}, 0x00100033, Action::remove);
   row("curves", {}, 0x50020010, Action::remove);
   row("pixels of any overlay", {}, 0x601e3000, Action::remove);
   row("what the table does not list", {}, 0x00280010, Action::keep);
@@ -112,6 +116,33 @@ void TestConfidentialityProfile::optionsKeepWhatTheySay() {
   QFETCH(Retained, retained);
   QFETCH(quint32, tag);
   QTEST(ConfidentialityProfile(retained).actionOf(tag, false), "action");
+}
+
+void TestConfidentialityProfile::unlistedTimesAndUidsAreTreatedAlike_data() {
+  QTest::addColumn<Retained>("retained");
+  QTest::addColumn<quint32>("tag");
+  QTest::addColumn<QByteArray>("vr");
+  QTest::addColumn<ProfileAction>("action");
+  const auto row = [](const char* name, const Retained& retained, quint32 tag, const char* vr,
+                      Action action) { QTest::newRow(name) << retained << tag << QByteArray(vr) << action; };
+  row("a date", {}, 0x00143076, "DA", Action::empty);
+  row("a time", {}, 0x00143077, "TM", Action::empty);
+  row("date and time", {}, 0x40101025, "DT", Action::empty);
+  row("a kept date", {.dates = true}, 0x00143076, "DA", Action::keep);
+  row("a shifted date", {.shiftDays = 3}, 0x00143076, "DA", Action::shift);
+  row("an instance", {}, 0x00081167, "UI", Action::newUid);
+  row("the source of a concatenation", {}, 0x00200242, "UI", Action::newUid);
+  row("a kept instance", {.uids = true}, 0x00200242, "UI", Action::keep);
+  row("a class", {}, 0x00081150, "UI", Action::keep);
+  row("a coding scheme", {}, 0x0008010c, "UI", Action::keep);
+  row("a number", {}, 0x00280010, "US", Action::keep);
+}
+
+void TestConfidentialityProfile::unlistedTimesAndUidsAreTreatedAlike() {
+  QFETCH(Retained, retained);
+  QFETCH(quint32, tag);
+  QFETCH(QByteArray, vr);
+  QTEST(ConfidentialityProfile(retained).actionOf(tag, false, dicom::vrOf(vr[0], vr[1])), "action");
 }
 
 void TestConfidentialityProfile::onlyKnownWordsStay_data() {

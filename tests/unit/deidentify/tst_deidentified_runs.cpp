@@ -1,0 +1,131 @@
+// Guards `volumen export --deidentify` where attributes beside the table hold identity, and what runs say and
+// leave that end early.
+#include <sys/resource.h>
+
+#include <QDir>
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+
+#include "tests/fixtures/fixtures.h"
+#include "tests/unit/deidentify/exported.h"
+#include "tests/unit/io/dicom_writer.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen;
+using namespace volumen::tests;
+
+class TestDeidentifiedRuns : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void attributesBesideTheTableLoseIdentity_data();
+  void attributesBesideTheTableLoseIdentity();
+  void aLostMosaicIsTold();
+  void noEmptyFolderIsLeft();
+  void originalsAreNoTarget();
+  void copiesOfAFullDiskAreCounted();
+
+ private:
+  Exported exported_;
+};
+
+void TestDeidentifiedRuns::attributesBesideTheTableLoseIdentity_data() {
+  QTest::addColumn<quint32>("tag");
+  QTest::addColumn<QByteArray>("vr");
+  QTest::addColumn<QByteArray>("value");
+  QTest::addColumn<QByteArray>("after");
+  const auto row = [](const char* name, quint32 tag, const char* vr, const char* value,
+                      const std::string& after) {
+    QTest::newRow(name) << tag << QByteArray(vr) << QByteArray(value) << QByteArray::fromStdString(after);
+  };
+  row("a code with a name", 0x00180015, "CS", "MUSTERMANN", "DEIDENTIFIED");
+  row("one of several codes", 0x00080008, "CS", "ORIGINAL\\PRIMARY\\MUSTERMANN\\M",
+      "ORIGINAL\\PRIMARY\\DEIDENTIFIED\\M");
+  row("a code without a name", 0x00180015, "CS", "HEAD", "HEAD");
+  row("a short whole name", 0x00081090, "LO", "of ERIKA mustermann", "DEIDENTIFIED");
+  row("the UID of a source", 0x00081167, "UI", "1.2.3.8\\1.2.3.9",
+      exported_.uid("1.2.3.8") + "\\" + exported_.uid("1.2.3.9"));
+  row("a UID that the table replaces by a dummy", 0x006a0003, "UI", "1.2.3.8", exported_.uid("1.2.3.8"));
+  row("birth by another calendar", 0x00100033, "LO", "05.03.1330", "");
+}
+
+void TestDeidentifiedRuns::attributesBesideTheTableLoseIdentity() {
+  QFETCH(quint32, tag);
+  QFETCH(QByteArray, vr);
+  QFETCH(QByteArray, value);
+  const DcmTag attribute(Uint16(tag >> 16), Uint16(tag & 0xffff), DcmVR(vr.constData()));
+  DicomPicture picture;
+  picture.edit = [&](DcmDataset& data) {
+    data.putAndInsertString(DCM_PatientName, "Mustermann^Erika");
+    data.putAndInsertString(attribute, value.constData());
+  };
+  const QString path = exported_.pathOf("in.dcm");
+  writeDicom(path.toStdString(), picture);
+  QCOMPARE(exported_.run(path).status, 0);
+  const auto copy = exported_.only();
+  QVERIFY(copy);
+  QTEST(QByteArray::fromStdString(textOf(*copy->getDataset(), attribute)), "after");
+}
+
+void TestDeidentifiedRuns::aLostMosaicIsTold() {
+  const std::string path = dataPath("dicom-geometry/mr-mosaic-siemens/axasc35.dcm");
+  NEED_DATA(path);
+  const Outcome a = exported_.run(QString::fromStdString(path), {QStringLiteral("--json")});
+  QCOMPARE(a.status, 0);
+  QVERIFY2(a.err.contains("mosaic form no volume any more"), a.err);
+  QCOMPARE(QJsonDocument::fromJson(a.out)[QStringLiteral("withoutMosaic")].toArray().size(), 1);
+}
+
+void TestDeidentifiedRuns::noEmptyFolderIsLeft() {
+  const QTemporaryDir source;
+  QFile text(source.filePath(QStringLiteral("a.txt")));
+  QVERIFY(text.open(QIODevice::WriteOnly) && text.write("no DICOM") > 0);
+  text.close();
+  const Outcome a = exported_.run(source.path());
+  QCOMPARE(a.status, 1);
+  QVERIFY2(a.err.contains("holds no DICOM files"), a.err);
+  QVERIFY(!QFile::exists(exported_.folder()));
+}
+
+void TestDeidentifiedRuns::originalsAreNoTarget() {
+  const QTemporaryDir source;
+  const QString path = source.filePath(QStringLiteral("a.dcm"));
+  writeDicom(path.toStdString(), {});
+  for (const QString& from : {source.path(), path}) {
+    const Outcome a =
+        runProgram({QStringLiteral("export"), from, QStringLiteral("--deidentify"), QStringLiteral("-o"),
+                    source.path(), QStringLiteral("--key"), exported_.pathOf("key")});
+    QCOMPARE(a.status, 2);
+    QVERIFY2(a.err.contains("is among the originals"), a.err);
+  }
+  QCOMPARE(copiesIn(source.path()), QStringList{path});
+}
+
+// The last file is too large. How many are written before it is chance.
+void TestDeidentifiedRuns::copiesOfAFullDiskAreCounted() {
+  constexpr int small = 20, side = 512;
+  const QTemporaryDir source, target;
+  DicomPicture picture;
+  for (int n = 0; n < small; ++n)
+    writeDicom(source.filePath(QStringLiteral("%1.dcm").arg(n, 2, 10, QLatin1Char('0'))).toStdString(),
+               picture);
+  picture.columns = picture.rows = side;
+  writeDicom(source.filePath(QStringLiteral("large.dcm")).toStdString(), picture);
+  const QString folder = target.filePath(QStringLiteral("out"));
+  const Outcome a =
+      runProgram({QStringLiteral("export"), source.path(), QStringLiteral("--deidentify"),
+                  QStringLiteral("-o"), folder, QStringLiteral("--key"), exported_.pathOf("key")},
+                 [] {
+                   constexpr rlim_t most = 100 << 10;
+                   const rlimit few{most, most};
+                   ::setrlimit(RLIMIT_FSIZE, &few);
+                 });
+  QCOMPARE(a.status, 1);
+  const qsizetype copies = copiesIn(folder).size();
+  const QByteArray said = "Copies of " + QByteArray::number(copies) + " of 21 files are in ";
+  QCOMPARE(a.err.contains(said), copies > 0);
+  QCOMPARE(QFile::exists(folder), copies > 0);
+}
+
+VOLUMEN_TEST(TestDeidentifiedRuns);
+#include "tst_deidentified_runs.moc"
