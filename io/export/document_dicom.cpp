@@ -116,9 +116,10 @@ Result<DocumentSource> readDocumentSource(const Study& study, std::span<const st
   std::vector<std::string> paths;
   for (const std::string& uid : sopInstanceUids) {
     const auto found = known.find(uid);
-    if (uid.empty() || found == known.end())
-      return Error{"No image here has the SOPInstanceUID " + uid + "."};
+    if (found == known.end()) return Error{"No image here has the SOPInstanceUID " + uid + "."};
     const StudyInstance& instance = found->second;
+    if (uid.empty())
+      return Error{instance.path + " has no SOPInstanceUID, by which a document names its images."};
     if (!instance.otherPath.empty()) return sameInstance(instance.path, instance.otherPath);
     if (source.studyUid.empty()) source.studyUid = instance.of->studyUid;
     if (instance.of->studyUid.empty() || instance.of->seriesUid.empty())
