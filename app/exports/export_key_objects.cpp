@@ -8,7 +8,7 @@ namespace volumen {
 
 namespace {
 
-Result<Code> titleOf(const ExportJob& job) {
+Result<Code> keyTitleOf(const ExportJob& job) {
   const auto title = keyObjectTitle(job.title);
   return title ? title : Error{"--title: " + title.message()};
 }
@@ -16,13 +16,13 @@ Result<Code> titleOf(const ExportJob& job) {
 }  // namespace
 
 Status checkKeyObjects(const ExportJob& job) {
-  if (const auto title = titleOf(job); !title) return title.error();
+  if (const auto title = keyTitleOf(job); !title) return title.error();
   const auto images = imagesIn(job.images);
   return images ? Status() : images.error();
 }
 
 Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cancel) {
-  const auto title = titleOf(job);
+  const auto title = keyTitleOf(job);
   if (!title) return title.error();
   const auto images = imagesIn(job.images);
   if (!images) return images.error();

@@ -6,13 +6,13 @@ namespace volumen {
 
 namespace {
 
-struct Tags {
+struct TagRange {
   std::uint32_t first, last;
 };
 
 // Copied attributes: PS3.3 C.7.1 to C.7.5 and acquisition (C.8), as far as they hold for any slice with the
 // same content.
-constexpr Tags copied[] = {
+constexpr TagRange copiedTags[] = {
     {0x00080008, 0x00080008},  // ImageType
     {0x00080020, 0x00080023},  // dates of study, series, acquisition, content
     {0x0008002a, 0x0008002a},  // AcquisitionDateTime
@@ -53,7 +53,7 @@ constexpr Tags copied[] = {
     {0x00541000, 0x00541324},  // PET: series type, units, corrections, frame times
 };
 
-constexpr RenamedElement renamed[] = {
+constexpr RenamedElement renamedTags[] = {
     {0x00089007, 0x00080008},  // FrameType
     {0x00189074, 0x0008002a},  // FrameAcquisitionDateTime
     {0x00189079, 0x00180082},  // InversionTimes
@@ -68,9 +68,9 @@ constexpr RenamedElement renamed[] = {
 }  // namespace
 
 bool isCopied(std::uint32_t tag) {
-  return std::ranges::any_of(copied, [&](const Tags& t) { return tag >= t.first && tag <= t.last; });
+  return std::ranges::any_of(copiedTags, [&](const TagRange& t) { return tag >= t.first && tag <= t.last; });
 }
 
-std::span<const RenamedElement> renamedElements() { return renamed; }
+std::span<const RenamedElement> renamedElements() { return renamedTags; }
 
 }  // namespace volumen

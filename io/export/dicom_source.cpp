@@ -38,8 +38,8 @@ using dicom::vrOf;
 
 constexpr int deepest = 6;
 constexpr std::size_t longestValue = 64 << 10, mostNumbers = 4096;
-constexpr std::uint32_t characterSet = 0x00080005, imageType = 0x00080008, scanningSequence = 0x00180020,
-                        inversionTime = 0x00180082;
+constexpr std::uint32_t characterSet = 0x00080005, imageType = 0x00080008, scanningSequenceTag = 0x00180020,
+                        inversionTimeTag = 0x00180082;
 
 std::uint16_t dictionaryVr(std::uint32_t tag) {
   const char* name = DcmTag(Uint16(tag >> 16), Uint16(tag & 0xffff)).getVRName();
@@ -90,8 +90,8 @@ class Copier {
       }
     // Single-frame images have an inversion time in inversion recovery alone.
     if (!recoversInversion(scopesOf(groups)) &&
-        valueOf(all, scanningSequence).find("IR") == std::string::npos)
-      std::erase_if(all, [](const DicomElement& e) { return e.tag == inversionTime && e.depth == 0; });
+        valueOf(all, scanningSequenceTag).find("IR") == std::string::npos)
+      std::erase_if(all, [](const DicomElement& e) { return e.tag == inversionTimeTag && e.depth == 0; });
     return all;
   }
 
@@ -151,7 +151,7 @@ class Copier {
     addIf(says(pulses, "GRADIENT") || says(pulses, "BOTH"), "GR");
     addIf(recoversInversion(dicom::FrameScopes(data_, 0)), "IR");
     addIf(says(echoPlanar, "YES"), "EP");
-    if (!value.empty()) out.insert(out.begin(), DicomElement{scanningSequence, value, vrOf('C', 'S'), 0});
+    if (!value.empty()) out.insert(out.begin(), DicomElement{scanningSequenceTag, value, vrOf('C', 'S'), 0});
   }
 
   void addRenamed(DataSet::Scope scope, DicomElements& out) const {
