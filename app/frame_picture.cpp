@@ -2,13 +2,14 @@
 
 #include <cstring>
 
+#include "results/pictures/picture_greys.h"
+
 namespace volumen {
 
 std::vector<std::uint8_t> frameBytes(const Frame& frame, const std::optional<Window>& window) {
   if (frame.colour()) return frame.rgb;
-  GreyMapping grey = frame.greys.front().mapping;
-  if (window) grey.window = *window, grey.table = {};
-  return frame.values.greyBytes(grey);
+  const GreyMapping& own = frame.greys.front().mapping;
+  return frame.values.greyBytes(window ? throughWindow(own, *window) : own);
 }
 
 QImage pictureOfBytes(const std::vector<std::uint8_t>& bytes, glm::ivec2 size, bool colour) {

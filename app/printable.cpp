@@ -125,6 +125,12 @@ std::string pathForJson(const std::string& path) {
   return uri;
 }
 
+std::string replaced(std::string text, const std::string& from, const std::string& to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
 std::string pathOfArgument(const std::string& argument) {
   const bool isLink = argument.starts_with(linkStart);
   if (!isLink && !argument.starts_with(std::string(uriStart) + "/")) return argument;

@@ -22,6 +22,9 @@ std::string jsonText(const nlohmann::ordered_json& json);
 /// UTF-8.
 std::string pathForJson(const std::string& path);
 
+/// Returns a text with `to` in place of each `from`, which is not empty.
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
 /// Returns the path of an argument: for a URI "file:///..." its path, for a link "volumen:archive:..." or
 /// "volumen:index:..." the study that it names, else the argument itself.
 std::string pathOfArgument(const std::string& argument);

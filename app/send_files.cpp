@@ -78,4 +78,9 @@ std::string OutputTarget::path() const {
   return folder_ ? folder_->filePath(QStringLiteral("export.dcm")).toStdString() : output_;
 }
 
+std::string OutputTarget::told(std::string text) const {
+  if (!folder_) return text;
+  return replaced(replaced(std::move(text), path(), output_), folder_->path().toStdString(), output_);
+}
+
 }  // namespace volumen

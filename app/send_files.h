@@ -33,6 +33,8 @@ class OutputTarget {
 
   /// Returns the file or folder to write.
   std::string path() const;
+  /// Returns a text that names archive:NAME where it named the temporary folder or what is in it.
+  std::string told(std::string text) const;
   /// Returns the archive to send to; null for a path.
   const Archive* archive() const { return archive_ ? &*archive_ : nullptr; }
 

@@ -116,9 +116,11 @@ void print(const std::vector<std::string>& files, const std::vector<std::string>
 // Sends what was written for an archive. `written` is what the JSON says of it; `status`, how writing ended.
 int sendWritten(const OutputTarget& target, Json written, bool json, int status, const CancelToken& cancel) {
   const auto files = filesOfPath(target.path(), {}, cancel);
-  if (!files) return fail(files.message(), cancel);
-  const auto report = sendFiles(*target.archive(), *files, cancel);
-  if (!report) return fail(report.message());
+  if (!files) return fail(target.told(files.message()), cancel);
+  auto report = sendFiles(*target.archive(), *files, cancel);
+  if (!report) return fail(target.told(report.message()));
+  for (auto* list : {&report->failed, &report->notDicom})
+    for (Refused& one : *list) one.path = target.told(one.path);
   written["archive"] = {{"name", target.archive()->name}};
   written["archive"].update(sentJson(*report));
   std::cout << (json ? jsonText(written) : sentText(*report, *target.archive()));
@@ -135,7 +137,7 @@ int writeFormat(const ExportFormat& format, const ExportOptions& options, const 
   ExportJob job = options.job;
   job.output = target->path();
   const Result<Exported> done = format.write(job, cancel);
-  if (!done) return fail(done.message(), cancel);
+  if (!done) return fail(target->told(done.message()), cancel);
   printNotes(done->notes);
   const int status = statusWith(done->unread);
   if (target->archive()) return sendWritten(*target, {{"notes", done->notes}}, options.json, status, cancel);
@@ -184,6 +186,9 @@ int writeWithoutIdentity(const ExportFormat& format, const ExportOptions& option
                          const CancelToken& cancel) {
   if (!format.isDicom)
     return failUsage(std::string("--as ") + format.name + " writes no DICOM: leave --deidentify out.");
+  if (format.hasPages)
+    return failUsage(std::string("--as ") + format.name +
+                     " writes pages, which may name the patient: leave --deidentify out.");
   const QTemporaryDir folder;
   if (!folder.isValid()) return fail("Cannot make a temporary folder: free some space.");
   ExportOptions made = options;
@@ -191,7 +196,7 @@ int writeWithoutIdentity(const ExportFormat& format, const ExportOptions& option
   ExportJob job = options.job;
   job.output = made.job.path + "/made.dcm";  // a folder, if the format is a series
   const Result<Exported> done = format.write(job, cancel);
-  if (!done) return fail(done.message(), cancel);
+  if (!done) return fail(replaced(done.message(), job.output, options.job.output), cancel);
   printNotes(done->notes);
   const int status = deidentify(made, cancel);
   return status == exitDone ? statusWith(done->unread) : status;
@@ -225,6 +230,7 @@ Status checkIdentity(const ExportOptions& options) {
 int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) {
   if (options.format.empty() && !options.deidentifies)
     return failUsage("Say what leaves: --as FORMAT, --deidentify or both.");
+  if (options.job.output.empty()) return failUsage("-o is empty: name the file or folder to write.");
   if (Status s = checkIdentity(options); !s) return failUsage(s.message());
   if (Status s = checkDeface(options); !s) return failUsage(s.message());
   const auto formats = exportFormats();

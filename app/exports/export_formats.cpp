@@ -62,7 +62,12 @@ std::span<const ExportFormat> exportFormats() {
        {"--roi", "--segments", "--series"},
        exportReport,
        checkReport},
-      {"ko", "key images as a DICOM key object selection", {"--images"}, {"--title"}, exportKeyObjects},
+      {"ko",
+       "key images as a DICOM key object selection",
+       {"--images"},
+       {"--title"},
+       exportKeyObjects,
+       checkKeyObjects},
       {"gsps",
        "windows and measurements of grey images as a DICOM presentation state",
        {},
@@ -92,7 +97,7 @@ std::span<const ExportFormat> exportFormats() {
        {},
        ofCapture,
        exportCapture,
-       checkDrawn},
+       checkCapture},
       {"apng",
        "a turn, slices, time points or a clip as an animated PNG",
        {},
@@ -101,7 +106,14 @@ std::span<const ExportFormat> exportFormats() {
        checkAnimatedPng,
        false},
       {"mp4", "the same as MP4, if the program ffmpeg is installed", {}, ofFilm, exportFilm, checkMp4, false},
-      {"pdf", "a PDF file as a DICOM document of the study", {"--pdf"}, {"--title", "--series"}, exportPdf}};
+      {"pdf",
+       "a PDF file as a DICOM document of the study",
+       {"--pdf"},
+       {"--title", "--series"},
+       exportPdf,
+       nullptr,
+       true,
+       true}};
   return formats;
 }
 

@@ -17,6 +17,7 @@ struct ExportFormat {
   Result<Exported> (*write)(const ExportJob& job, const CancelToken& cancel);
   Status (*check)(const ExportJob& job) = nullptr;  ///< of the options before anything is read
   bool isDicom = true;                              ///< archives take it
+  bool hasPages = false;  ///< which may name the patient: it is not written without identity
 };
 
 /// Returns all formats.

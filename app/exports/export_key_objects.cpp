@@ -6,8 +6,23 @@
 
 namespace volumen {
 
-Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cancel) {
+namespace {
+
+Result<Code> keyTitleOf(const ExportJob& job) {
   const auto title = keyObjectTitle(job.title);
+  return title ? title : Error{"--title: " + title.message()};
+}
+
+}  // namespace
+
+Status checkKeyObjects(const ExportJob& job) {
+  if (const auto title = keyTitleOf(job); !title) return title.error();
+  const auto images = imagesIn(job.images);
+  return images ? Status() : images.error();
+}
+
+Result<Exported> exportKeyObjects(const ExportJob& job, const CancelToken& cancel) {
+  const auto title = keyTitleOf(job);
   if (!title) return title.error();
   const auto images = imagesIn(job.images);
   if (!images) return images.error();

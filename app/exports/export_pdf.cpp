@@ -10,6 +10,7 @@ Result<Exported> exportPdf(const ExportJob& job, const CancelToken& cancel) {
   constexpr std::uint64_t mostBytes = 1 << 30;
   const auto pdf = wholeText(job.pdf, mostBytes, "a PDF");
   if (!pdf) return pdf.error();
+  if (!isPdf(*pdf)) return Error{job.pdf + " is no PDF: name a PDF file by --pdf."};
   const Result<Study> study = openPath(job.path, {}, cancel);
   if (!study) return study.error();
   const auto chosen = choosePictures(job.path, *study, job.series, {}, {});

@@ -49,8 +49,9 @@ Status addShapes(const ExportJob& job, const Study& study, const std::vector<Sha
 
 Status checkPresentation(const ExportJob& job) {
   if (job.window.empty() && job.shapes.empty()) return Error{"--as gsps needs --window C,W or --roi FILE."};
-  const auto window = windowOf(job.window);
-  return window ? Status() : window.error();
+  if (const auto window = windowOf(job.window); !window) return window.error();
+  const auto images = imagesIn(job.images);
+  return images ? Status() : images.error();
 }
 
 Result<Exported> exportPresentation(const ExportJob& job, const CancelToken& cancel) {

@@ -167,6 +167,7 @@ Status checkSeries(const ExportJob& job) {
         " is a session, which says what is shown: leave --series, --remove-table and --segments out."};
   if (job.takesAway())
     if (Status s = checkAlone(job); !s) return s;
+  if (const auto asked = readPlane(job.plane); !asked) return asked.error();
   return checkWindows(job);
 }
 

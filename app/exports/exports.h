@@ -47,7 +47,9 @@ struct Exported {
 
 /// Check the options of a job before anything is read. The Error (wrong usage) names the option.
 Status checkReport(const ExportJob& job);
+Status checkKeyObjects(const ExportJob& job);
 Status checkDrawn(const ExportJob& job);
+Status checkCapture(const ExportJob& job);
 Status checkAnimatedPng(const ExportJob& job);
 Status checkMp4(const ExportJob& job);
 Status checkPresentation(const ExportJob& job);

@@ -96,7 +96,7 @@ DicomElements modalityDefaults(const std::string& sopClass, const DicomSeriesTag
   if (sopClass == UID_PositronEmissionTomographyImageStorage)
     return {{0x00080022, ""}, {0x00080032, ""}, {0x00181181, ""}, {0x00181242, ""},
             {0x00280051, ""}, {0x00540016, {}}, {0x00540414, {}}};
-  return {{0x00080064, "WSD"}};
+  return {{0x00080064, "WSD"}, {0x00200020, ""}};
 }
 
 // Returns the padding in stored values, if they are integers or a stored number stands for padding.
@@ -222,7 +222,8 @@ DicomElements DicomSliceWriter::seriesElements() const {
       {0x00200012, ""},
       {0x00185100, tags_.patientPosition},
       {0x00180050, tags_.synthetic ? decimal(sliceDistance(volume_.geometry())) : std::string()}};
-  if (mayBePaired(tags_.bodyPart)) all.push_back({0x00200060, ""});
+  const bool hasLaterality = !valueOf(first_, 0x00200062).empty();  // of the image
+  if (mayBePaired(tags_.bodyPart) && !hasLaterality) all.push_back({0x00200060, ""});
   append(all, first_.empty() ? equipmentModule() : DicomElements{{0x00080070, ""}});
   append(all, modalityDefaults(sopClass, tags_, valueOf(first_, 0x00180020)));
   append(all, windows(volume_, tags_));

@@ -13,6 +13,7 @@
 #include "io/dicom/frame_scopes.h"
 #include "io/dicom/header.h"
 #include "io/dicom/separators.h"
+#include "io/export/copied_elements.h"
 #include "io/export/dicom_modules.h"
 #include "io/study/series.h"
 #include "io/worker/batches.h"
@@ -37,74 +38,8 @@ using dicom::vrOf;
 
 constexpr int deepest = 6;
 constexpr std::size_t longestValue = 64 << 10, mostNumbers = 4096;
-constexpr std::uint32_t characterSet = 0x00080005, imageType = 0x00080008;
-
-struct Tags {
-  std::uint32_t first, last;
-};
-
-// Copied attributes: PS3.3 C.7.1 to C.7.5 and acquisition (C.8), as far as they hold for any slice with the
-// same content.
-constexpr Tags copied[] = {
-    {0x00080008, 0x00080008},  // ImageType
-    {0x00080020, 0x00080023},  // dates of study, series, acquisition, content
-    {0x0008002a, 0x0008002a},  // AcquisitionDateTime
-    {0x00080030, 0x00080033},  // times
-    {0x00080050, 0x00080051},  // AccessionNumber and its issuer
-    {0x00080070, 0x0008009d},  // manufacturer, institution, referring and consulting physicians
-    {0x00080201, 0x00080201},  // TimezoneOffsetFromUTC
-    {0x00081010, 0x00081110},  // station, descriptions, physicians, admission, model, referenced study
-    {0x00081120, 0x00081120},  // ReferencedPatientSequence
-    {0x00082218, 0x00082220},  // anatomic region
-    {0x00100010, 0x0010ffff},  // patient
-    {0x00120010, 0x0012ffff},  // clinical trial, de-identification
-    {0x00180010, 0x00180087},  // contrast agent ... MagneticFieldStrength, SliceThickness
-    {0x00180089, 0x00181163},  // acquisition, except SpacingBetweenSlices ...
-    {0x00181165, 0x00185fff},  // ... and ImagerPixelSpacing
-    {0x00189087, 0x00189087},  // DiffusionBValue
-    {0x00189089, 0x00189089},  // DiffusionGradientOrientation
-    {0x0018a001, 0x0018a001},  // ContributingEquipmentSequence
-    {0x0020000d, 0x0020000d},  // StudyInstanceUID
-    {0x00200010, 0x00200012},  // StudyID, numbers of series and acquisition
-    {0x00200052, 0x00200052},  // FrameOfReferenceUID
-    {0x00200060, 0x00200062},  // laterality
-    {0x00200100, 0x00200110},  // temporal position
-    {0x00201040, 0x00201040},  // PositionReferenceIndicator
-    {0x00204000, 0x00204000},  // ImageComments
-    {0x00280051, 0x00280051},  // CorrectedImage
-    {0x00280301, 0x00280303},  // burned-in annotation, longitudinal information
-    {0x00281050, 0x00281051},  // windows
-    {0x00281054, 0x00281056},  // RescaleType, explanation and function of windows
-    {0x00282110, 0x00282114},  // lossy compression
-    {0x00321000, 0x003210ff},  // request
-    {0x00380000, 0x0038ffff},  // visit
-    {0x00400241, 0x00400280},  // performed procedure step, RequestAttributesSequence
-    {0x00401012, 0x00401012},  // ReasonForPerformedProcedureCodeSequence
-    {0x00540012, 0x00540018},  // energy windows, RadiopharmaceuticalInformationSequence
-    {0x00540220, 0x00540222},  // view
-    {0x00540300, 0x00540500},  // codes of radionuclide, route, orientation
-    {0x00541000, 0x00541324},  // PET: series type, units, corrections, frame times
-};
-
-bool isCopied(std::uint32_t tag) {
-  return std::ranges::any_of(copied, [&](const Tags& t) { return tag >= t.first && tag <= t.last; });
-}
-
-// Attributes whose tags in functional groups differ from those of single-frame images.
-struct Renamed {
-  std::uint32_t from, to;
-};
-constexpr Renamed renamed[] = {
-    {0x00089007, imageType},   // FrameType
-    {0x00189074, 0x0008002a},  // FrameAcquisitionDateTime
-    {0x00189079, 0x00180082},  // InversionTimes
-    {0x00189082, 0x00180081},  // EffectiveEchoTime
-    {0x00189241, 0x00180091},  // GradientEchoTrainLength
-    {0x00189240, 0x00180091},  // RFEchoTrainLength
-    {0x00189328, 0x00181150},  // ExposureTimeInms
-    {0x00189330, 0x00181151},  // XRayTubeCurrentInmA
-    {0x00189332, 0x00181152},  // ExposureInmAs
-};
+constexpr std::uint32_t characterSet = 0x00080005, imageType = 0x00080008, scanningSequenceTag = 0x00180020,
+                        inversionTimeTag = 0x00180082;
 
 std::uint16_t dictionaryVr(std::uint32_t tag) {
   const char* name = DcmTag(Uint16(tag >> 16), Uint16(tag & 0xffff)).getVRName();
@@ -153,10 +88,24 @@ class Copier {
         for (const DataSet::Scope& inner : data_.items(0x00189076, item)) add(inner, 0, all);  // gradient
         break;
       }
+    // Single-frame images have an inversion time in inversion recovery alone.
+    if (!recoversInversion(scopesOf(groups)) &&
+        valueOf(all, scanningSequenceTag).find("IR") == std::string::npos)
+      std::erase_if(all, [](const DicomElement& e) { return e.tag == inversionTimeTag && e.depth == 0; });
     return all;
   }
 
  private:
+  dicom::FrameScopes scopesOf(DataSet::Scope groups) const {
+    const auto shared = data_.items(dicom::FrameScopes::sharedGroups, data_.root());
+    return {data_, groups, shared.empty() ? DataSet::Scope{} : shared[0]};
+  }
+
+  bool recoversInversion(const dicom::FrameScopes& scopes) const {
+    constexpr std::uint32_t modifiers = 0x00189115, inversionRecovery = 0x00189009;
+    return data_.text(inversionRecovery, scopes.of(modifiers)) == "YES";
+  }
+
   void add(DataSet::Scope scope, int depth, DicomElements& out) const {
     for (std::uint32_t n = scope.begin; n < scope.end; n = data_.element(n).end) {
       const dicom::Element& e = data_.element(n);
@@ -193,20 +142,20 @@ class Copier {
     const auto says = [&](std::uint32_t tag, const char* what) {
       return data_.text(tag, data_.root()) == what;
     };
-    constexpr std::uint32_t pulses = 0x00189008, inversion = 0x00189009, echoPlanar = 0x00189018;
+    constexpr std::uint32_t pulses = 0x00189008, echoPlanar = 0x00189018;
     std::string value;
     const auto addIf = [&](bool does, const char* term) {
       if (does) value += (value.empty() ? "" : "\\") + std::string(term);
     };
     addIf(says(pulses, "SPIN") || says(pulses, "BOTH"), "SE");
     addIf(says(pulses, "GRADIENT") || says(pulses, "BOTH"), "GR");
-    addIf(says(inversion, "YES"), "IR");
+    addIf(recoversInversion(dicom::FrameScopes(data_, 0)), "IR");
     addIf(says(echoPlanar, "YES"), "EP");
-    if (!value.empty()) out.insert(out.begin(), DicomElement{0x00180020, value, vrOf('C', 'S'), 0});
+    if (!value.empty()) out.insert(out.begin(), DicomElement{scanningSequenceTag, value, vrOf('C', 'S'), 0});
   }
 
   void addRenamed(DataSet::Scope scope, DicomElements& out) const {
-    for (const Renamed& name : renamed) {
+    for (const RenamedElement& name : renamedElements()) {
       const dicom::Element* e = data_.find(name.from, scope);
       if (!e) continue;
       auto value = text(*e, e->vr ? e->vr : dictionaryVr(e->tag), scope);

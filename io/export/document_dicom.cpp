@@ -24,15 +24,19 @@ struct StudyInstance {
   std::string path;
   const SeriesIdentity* of = nullptr;
   bool isDerived = false, isImage = true;
+  std::string otherPath{};  // of another picture with its UID
 };
 
 std::map<std::string, StudyInstance> knownInstances(const Study& study) {
   std::map<std::string, StudyInstance> all;
+  const auto add = [&](const std::string& uid, const std::string& path, const SeriesIdentity& of) {
+    const auto [known, isNew] = all.emplace(uid, StudyInstance{path, &of});
+    if (!isNew && known->second.path != path) known->second.otherPath = path;
+  };
   for (const Series& series : study.volumes)
     for (std::size_t n = 0; n < series.sopInstanceUids.size(); ++n)
-      all.emplace(series.sopInstanceUids[n], StudyInstance{series.files[n], &series});
-  for (const Image& image : study.images)
-    all.emplace(image.sopInstanceUid, StudyInstance{image.path, &image});
+      add(series.sopInstanceUids[n], series.files[n], series);
+  for (const Image& image : study.images) add(image.sopInstanceUid, image.path, image);
   for (const DerivedObject& object : study.derived)
     all.emplace(object.sopInstanceUid,
                 StudyInstance{object.path, &object, true, object.kind == DerivedKind::segmentation});
@@ -112,9 +116,11 @@ Result<DocumentSource> readDocumentSource(const Study& study, std::span<const st
   std::vector<std::string> paths;
   for (const std::string& uid : sopInstanceUids) {
     const auto found = known.find(uid);
-    if (uid.empty() || found == known.end())
-      return Error{"No image here has the SOPInstanceUID " + uid + "."};
+    if (found == known.end()) return Error{"No image here has the SOPInstanceUID " + uid + "."};
     const StudyInstance& instance = found->second;
+    if (uid.empty())
+      return Error{instance.path + " has no SOPInstanceUID, by which a document names its images."};
+    if (!instance.otherPath.empty()) return sameInstance(instance.path, instance.otherPath);
     if (source.studyUid.empty()) source.studyUid = instance.of->studyUid;
     if (instance.of->studyUid.empty() || instance.of->seriesUid.empty())
       return Error{instance.path + ": it does not say which study and series it belongs to."};

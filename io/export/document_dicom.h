@@ -32,8 +32,8 @@ struct DocumentSource {
 };
 
 /// Reads what documents about these instances take from their study: the headers of the instances, of which
-/// the first one gives patient and study. The Error: an instance is missing, cannot be read, or is of another
-/// study than the first.
+/// the first one gives patient and study. The Error: an instance is missing, cannot be read, shares its UID
+/// with another picture, or is of another study than the first.
 Result<DocumentSource> readDocumentSource(const Study& study, std::span<const std::string> sopInstanceUids,
                                           const Progress& progress = {}, const CancelToken& cancel = {});
 

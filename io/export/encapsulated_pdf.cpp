@@ -29,12 +29,16 @@ DicomElements documentElements(const StudyObject& object, const PdfTags& tags, s
 
 }  // namespace
 
+bool isPdf(std::string_view bytes) {
+  constexpr std::size_t whereItBegins = 1024;
+  return bytes.substr(0, whereItBegins).find("%PDF-") != std::string_view::npos;
+}
+
 Status writeEncapsulatedPdf(std::string_view pdf, const Series& series, const PdfTags& tags,
                             const std::string& path, const Progress& progress,
                             const CancelToken& cancel) try {
-  constexpr std::size_t longest = 0xfffffffe, whereItBegins = 1024;
-  if (pdf.substr(0, whereItBegins).find("%PDF-") == std::string_view::npos)
-    return Error{"Cannot write " + path + ": what it should hold is no PDF."};
+  constexpr std::size_t longest = 0xfffffffe;
+  if (!isPdf(pdf)) return Error{"Cannot write " + path + ": what it should hold is no PDF."};
   if (pdf.size() > longest)
     return Error{"Cannot write " + path + ": the PDF is more than the 4 GB that a DICOM file holds."};
   const auto object = StudyObject::of(series, tags, progress, cancel);

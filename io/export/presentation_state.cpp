@@ -75,6 +75,7 @@ Result<std::vector<std::string>> writePresentationState(const Presentation& pres
   if (!slices) return slices.error();
   const auto object = StudyObject::of(series, tags, progress, cancel, *slices);
   if (!object) return object.error();
+  if (Status s = checkNames(series, *slices); !s) return s.error();
   std::map<std::string, const DicomSourceFile*> files;
   for (const DicomSourceFile& file : object->source().files) files[file.sopInstanceUid] = &file;
   if (Status s = checkParts(presentation, files); !s) return s.error();

@@ -15,7 +15,7 @@ namespace volumen {
 /// of its pictures, with or without values: its size is the area shown where none is given, and its pixel
 /// size or aspect ratio is written. Returns notes for the user: what such an object cannot hold. The Error:
 /// the path exists or cannot be written, the series is not from DICOM files or has no such picture, its
-/// pictures are in colour, or the export was cancelled.
+/// pictures are in colour or have no UIDs of their own (checkNames()), or the export was cancelled.
 Result<std::vector<std::string>> writePresentationState(const Presentation& presentation,
                                                         const Series& series, const Frame& frame,
                                                         const ObjectTags& tags, const std::string& path,

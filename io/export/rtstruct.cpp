@@ -235,6 +235,7 @@ Result<std::vector<std::string>> writeStructureSet(std::span<const Segmented> ma
     return Error{"There is no segment that lies in " + series.id + "; no structure set was written."};
   const auto object = StudyObject::of(series, tags, progress, cancel);
   if (!object) return object.error();
+  if (Status s = checkNames(series); !s) return s.error();
   if (Status s = checkPlaces(series, object->source()); !s) return s.error();
   const glm::ivec2 size(series.acquired.size);
   const RegionMaker maker(object->source(), size, sliceDistance(maps.front().labels.geometry()));

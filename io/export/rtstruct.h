@@ -19,8 +19,9 @@ struct StructureSetTags : ObjectTags {
 /// filling by pixel centres gives the pixels back: those whose centre lies in a voxel of the segment.
 /// Segments are renumbered from 1 and keep names, codes and colours; those without a pixel are left out.
 /// Returns notes for the user: segments left out, volumes in ml where contours cannot hold them, oblique
-/// slices, names cut. The Error: the path exists or cannot be written, the series is not from DICOM files, or
-/// these have changed or have no position. Also: no slice has a marked pixel, or the export was cancelled.
+/// slices, names cut. The Error: the path exists or cannot be written, the series is not from DICOM files,
+/// or these have changed or have no position or UIDs of their own (checkNames()). Also: no slice has a marked
+/// pixel, or the export was cancelled.
 Result<std::vector<std::string>> writeStructureSet(std::span<const Segmented> maps, const Series& series,
                                                    const StructureSetTags& tags, const std::string& path,
                                                    const Progress& progress = {},

@@ -84,7 +84,9 @@ DicomElements lossOf(const StudyObject& object) {
   return all;
 }
 
-Status checkFrames(const std::string& path, glm::ivec2 size, int frames, const CaptureTags& tags) {
+}  // namespace
+
+Status checkCaptureFrames(const std::string& path, glm::ivec2 size, int frames, const CaptureTags& tags) {
   constexpr int most = 65535;
   constexpr double longest = 0xfffffffe;
   if (frames < 1 || size.x < 1 || size.y < 1 || size.x > most || size.y > most || !(tags.frameMs > 0))
@@ -97,8 +99,6 @@ Status checkFrames(const std::string& path, glm::ivec2 size, int frames, const C
                  "smaller ones, or compress them (RLE)."};
   return {};
 }
-
-}  // namespace
 
 DicomElements captureElements(const StudyObject& object, const Series& series, const CaptureTags& tags,
                               std::span<const SourcePicture> pictures, glm::ivec2 size, int frames) {
@@ -132,7 +132,7 @@ SecondaryCapture::SecondaryCapture(OutputFile out, std::string path, glm::ivec2 
 Result<SecondaryCapture> SecondaryCapture::begin(const std::string& path, const Series& series,
                                                  const CaptureTags& tags, glm::ivec2 size, int frames,
                                                  const Progress& progress, const CancelToken& cancel) {
-  if (Status s = checkFrames(path, size, frames, tags); !s) return s.error();
+  if (Status s = checkCaptureFrames(path, size, frames, tags); !s) return s.error();
   auto out = createNew(path);
   if (!out) return out.error();
   const auto object = StudyObject::of(series, tags, progress, cancel, tags.slices);

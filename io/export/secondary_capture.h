@@ -21,6 +21,10 @@ struct CaptureTags : ObjectTags {
   std::vector<std::size_t> slices{};
 };
 
+/// Checks that a Secondary Capture can hold so many frames of `size` (columns x rows). The Error names
+/// `path`.
+Status checkCaptureFrames(const std::string& path, glm::ivec2 size, int frames, const CaptureTags& tags);
+
 /// Returns the elements of a Secondary Capture made of `pictures` that patient, study and series do not have.
 DicomElements captureElements(const StudyObject& object, const Series& series, const CaptureTags& tags,
                               std::span<const SourcePicture> pictures, glm::ivec2 size, int frames);

@@ -13,6 +13,7 @@
 #include "io/export/dicom_file.h"
 #include "io/export/dicom_source.h"
 #include "io/export/segmentation_elements.h"
+#include "io/export/study_object.h"
 #include "io/files/output_file.h"
 #include "io/regular_file.h"
 #include "io/study/series.h"
@@ -38,7 +39,7 @@ Status checkSource(const Series& series, const VoxelGeometry& grid) {
         series.id +
         " comes from no DICOM files, whose pictures a DICOM segmentation must name; write .seg.nrrd."};
   if (!grid.calibrated) return Error{series.id + " does not say where its slices lie; write .seg.nrrd."};
-  return {};
+  return checkNames(series);
 }
 
 Status writeObject(const SegmentationElements& elements, const SegmentationFrames& frames,

@@ -35,8 +35,8 @@ struct SegmentVoxels {
 /// from contents and tags.
 /// Returns notes for the user: voxels where there is no image, segments without a code (written as "Tissue"),
 /// names shortened to 64 characters. The Error: the series is not from DICOM files, or these have changed or
-/// have no position. Also: no slice has a marked pixel, the file cannot be written, or the export was
-/// cancelled.
+/// have no position or UIDs of their own (checkNames()). Also: no slice has a marked pixel, the file cannot
+/// be written, or the export was cancelled.
 Result<std::vector<std::string>> writeSegmentationDicom(std::span<const Segmented> maps, const Series& series,
                                                         const SegmentationTags& tags, const std::string& path,
                                                         const Progress& progress = {},

@@ -3,6 +3,7 @@
 #include <QDateTime>
 #include <algorithm>
 #include <charconv>
+#include <map>
 #include <set>
 
 #include "io/dicom/data_set.h"
@@ -22,7 +23,13 @@ int seriesNumberOf(const SeriesIdentity& series) {
   return number;
 }
 
-int numberAbove(int number) { return number < highestNumber ? std::max(number, 0) + 1 : highestNumber; }
+// Returns the number above all others, or the largest one that is free.
+int freeNumber(const std::set<int>& taken) {
+  int number = taken.empty() ? 0 : std::max(*taken.rbegin(), 0);
+  if (number < highestNumber) return number + 1;
+  while (taken.contains(number)) --number;
+  return number;
+}
 
 Series onlySlices(const Series& series, std::span<const std::size_t> slices) {
   Series only;
@@ -54,15 +61,40 @@ bool convertTo(const std::string& characterSet, DicomElements& elements) {
 }  // namespace
 
 int nextSeriesNumber(const Study& study, const std::string& studyUid) {
-  int highest = 0;
+  std::set<int> taken;
   const auto addAll = [&](const auto& all) {
     for (const SeriesIdentity& one : all)
-      if (one.studyUid == studyUid) highest = std::max(highest, seriesNumberOf(one));
+      if (one.studyUid == studyUid) taken.insert(seriesNumberOf(one));
   };
   addAll(study.volumes);
   addAll(study.images);
   addAll(study.derived);
-  return numberAbove(highest);
+  return freeNumber(taken);
+}
+
+Error sameInstance(const std::string& a, const std::string& b) {
+  return Error{
+      a + " and " + b +
+      " have the same SOPInstanceUID, by which a new object cannot tell them apart: leave one of them "
+      "out."};
+}
+
+Status checkNames(const Series& series, std::span<const std::size_t> slices) {
+  if (series.seriesUid.empty())
+    return Error{series.files.front() +
+                 " names no series (SeriesInstanceUID), which the new object would refer to."};
+  std::set<std::string> named;
+  for (const std::size_t n : slices) named.insert(series.sopInstanceUids[n]);
+  std::map<std::string, std::string> fileOf;
+  for (std::size_t n = 0; n < series.files.size(); ++n) {
+    const std::string& uid = series.sopInstanceUids[n];
+    if (!named.empty() && !named.contains(uid)) continue;
+    if (uid.empty())
+      return Error{series.files[n] + " has no SOPInstanceUID, by which a new object names its pictures."};
+    const auto [known, isNew] = fileOf.emplace(uid, series.files[n]);
+    if (!isNew && known->second != series.files[n]) return sameInstance(known->second, series.files[n]);
+  }
+  return {};
 }
 
 Result<StudyObject> StudyObject::of(const Series& series, const ObjectTags& tags, const Progress& progress,
@@ -80,7 +112,7 @@ Result<StudyObject> StudyObject::of(const Series& series, const ObjectTags& tags
 
 StudyObject::StudyObject(const Series& series, ObjectTags tags, DicomSource source, bool areChosen)
     : source_(std::move(source)), tags_(std::move(tags)), studyUid_(series.studyUid), areChosen_(areChosen) {
-  if (tags_.seriesNumber <= 0) tags_.seriesNumber = numberAbove(seriesNumberOf(series));
+  if (tags_.seriesNumber <= 0) tags_.seriesNumber = freeNumber({seriesNumberOf(series)});
 }
 
 DicomElements StudyObject::elements(const char* sopClassUid, const char* modality) const {
@@ -110,7 +142,7 @@ std::vector<SourcePicture> StudyObject::pictures() const {
   for (const DicomSource::Slice& slice : source_.slices) {
     const DicomSourceFile& file = source_.files[slice.file];
     const bool isNamed = areChosen_ && file.isMultiFrame();
-    if (known.emplace(slice.file, isNamed ? slice.frame : 0).second)
+    if (!file.sopInstanceUid.empty() && known.emplace(slice.file, isNamed ? slice.frame : 0).second)
       all.push_back({file.sopClassUid, file.sopInstanceUid, isNamed ? int(slice.frame) + 1 : 0});
   }
   return all;
@@ -123,7 +155,7 @@ std::vector<SourcePicture> picturesOf(const DicomSource& source, std::span<const
     const int frame = file.isMultiFrame() ? int(source.slices[std::size_t(n)].frame) + 1 : 0;
     const bool isKnown =
         !all.empty() && all.back().sopInstanceUid == file.sopInstanceUid && all.back().frame == frame;
-    if (!isKnown)
+    if (!isKnown && !file.sopInstanceUid.empty())
       all.push_back({file.sopClassUid, file.sopInstanceUid, frame});  // a mosaic holds many slices
   }
   return all;
@@ -157,6 +189,7 @@ std::string firstCharacters(const std::string& text, std::size_t most) {
 }
 
 DicomElements references(std::uint32_t sequence, std::span<const SourcePicture> pictures, int depth) {
+  if (pictures.empty()) return {};
   DicomElements all = {{sequence, {}, 0, depth}};
   for (const SourcePicture& picture : pictures) {
     append(all, {{dicomItem, {}, 0, depth + 1},

@@ -17,8 +17,15 @@ struct ObjectTags {
   std::string date{}, time{};  ///< creation date and time in DICOM format; if empty, now
 };
 
-/// Returns a series number that is above all of a study, as far as these are known.
+/// Returns a series number that is above all of a study, as far as these are known, or the largest one that
+/// is free.
 int nextSeriesNumber(const Study& study, const std::string& studyUid);
+
+/// Checks that an object can name a series and pictures of it by UIDs: those at `slices` (indices of
+/// Series::files), or all. The Error: the series or a picture has no UID, or two files have the same one.
+Status checkNames(const Series& series, std::span<const std::size_t> slices = {});
+/// Returns the sentence that two files have the same SOPInstanceUID.
+Error sameInstance(const std::string& a, const std::string& b);
 
 /// A new object in the study of a series, alone in a new series. Its UIDs are random.
 class StudyObject {
@@ -37,7 +44,8 @@ class StudyObject {
   /// Returns the first file's value of an element that is the same for all pictures; empty if it is missing.
   std::string valueOfSource(std::uint32_t tag) const { return valueOf(source_.file(0).elements, tag); }
   const ObjectTags& tags() const { return tags_; }  ///< with date and time
-  /// Returns the pictures it is made of, each file once unless its frames were chosen.
+  /// Returns the pictures it is made of, each file once unless its frames were chosen. Those without UID are
+  /// left out.
   std::vector<SourcePicture> pictures() const;
 
  private:
@@ -50,7 +58,7 @@ class StudyObject {
   bool areChosen_;
 };
 
-/// Returns the pictures of some slices of a source, each once.
+/// Returns the pictures of some slices of a source, each once; those without UID are left out.
 std::vector<SourcePicture> picturesOf(const DicomSource& source, std::span<const int> slices);
 
 /// Puts patient and study (texts in `characterSet`) and what was made for a new object (texts in UTF-8) into
@@ -62,7 +70,8 @@ void putInStudy(const DicomElements& ofStudy, const std::string& characterSet, c
 /// ends of lines become blanks.
 std::string firstCharacters(const std::string& text, std::size_t most);
 
-/// Returns a sequence of references to instances, each an item with class, instance and frame.
+/// Returns a sequence of references to instances, each an item with class, instance and frame; nothing
+/// without pictures.
 DicomElements references(std::uint32_t sequence, std::span<const SourcePicture> pictures, int depth);
 
 }  // namespace volumen

@@ -62,7 +62,7 @@ class Reporter {
 
 Result<bool> isMosaic(const Study& study, const Series& series) {
   const auto& uids = series.sopInstanceUids;
-  if (uids.size() < 2 || uids[0] != uids[1]) return false;
+  if (uids.size() < 2 || uids[0] != uids[1] || series.files[0] != series.files[1]) return false;
   const auto source = readDocumentSource(study, std::span(uids).first(1));
   if (!source) return source.error();
   return source->pictures.at(uids[0]).frames == 1;

@@ -17,9 +17,7 @@ struct PictureGrey {
 
 std::vector<NamedGrey> through(const std::optional<Window>& window, std::vector<NamedGrey> greys) {
   if (!window) return greys;
-  GreyMapping grey = greys.front().mapping;
-  grey.window = *window, grey.table = {};
-  return {{{}, grey}};
+  return {{{}, throughWindow(greys.front().mapping, *window)}};
 }
 
 // Returns a mapping of stored values that shows the same. LINEAR has its middle half a value lower and is one
@@ -123,6 +121,13 @@ class GreysCollector {
 };
 
 }  // namespace
+
+GreyMapping throughWindow(GreyMapping grey, const Window& window) {
+  grey.window = window, grey.table = {};
+  if (grey.function == WindowFunction::linear && window.width < 1)
+    grey.function = WindowFunction::linearExact;
+  return grey;
+}
 
 std::vector<ReferencedPicture> picturesAt(const Series& series, const std::vector<int>& indices) {
   std::vector<ReferencedPicture> all;

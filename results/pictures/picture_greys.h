@@ -16,6 +16,10 @@ struct SeriesPictures {
   std::vector<int> indices;  ///< of its frames, ascending; never empty
 };
 
+/// Returns how pictures with this mapping are shown through another window. LINEAR is for widths from 1 on
+/// (slices.md 3); narrower ones follow LINEAR_EXACT.
+GreyMapping throughWindow(GreyMapping grey, const Window& window);
+
 /// Returns references to pictures of a series by index, each image once with its frames.
 std::vector<ReferencedPicture> picturesAt(const Series& series, const std::vector<int>& indices);
 

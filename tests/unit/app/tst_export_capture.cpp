@@ -31,6 +31,7 @@ class TestExportCapture : public QObject {
   void documentsComeBack();
   void wrongWordsAreUsage_data();
   void wrongWordsAreUsage();
+  void anEmptyOutputIsUsage();
   void whatCannotBeIsSaid_data();
   void whatCannotBeIsSaid();
 
@@ -91,6 +92,7 @@ void TestExportCapture::renderingsAreThoseOfRender() {
     const Outcome done =
         pictureBy(QStringLiteral("export"), source, options + QStringLiteral(" --as sc") + rle, dcm);
     QVERIFY2(done.status == 0, done.err);
+    QCOMPARE(done.err.contains("A face may be recognised"), face == QLatin1String("YES"));
     const auto frame = frameOf(dcm.toStdString(), 0);
     QVERIFY2(frame, frame ? "" : frame.message().c_str());
     QVERIFY(frame->rgb == rgbOfPng(png));
@@ -222,6 +224,9 @@ void TestExportCapture::wrongWordsAreUsage_data() {
   row("another format's option", "--as sc --roi x.json", "--roi does not go with --as sc");
   row("a rendering's option elsewhere", "--as ko --images 1.2 --rle", "--rle does not go with --as ko");
   row("surfaces are no DICOM", "--as stl --segments x.seg.nrrd --deidentify", "leave --deidentify out");
+  row("a document without identity", "--as pdf --pdf x.pdf --deidentify", "leave --deidentify out");
+  row("a turn beyond 4 GB", "--as sc --size 10000x10000 --turntable 999", "more than the 4 GB");
+  row("a slice beyond 4 GB", "--as sc --plane axial --size 60000x60000", "more than the 4 GB");
   row("no pdf", "--as pdf", "--as pdf needs --pdf FILE");
   row("a format's option without one", "--deidentify --turntable 3", "--turntable goes with --as");
 }
@@ -234,6 +239,14 @@ void TestExportCapture::wrongWordsAreUsage() {
   QCOMPARE(a.status, 2);
   QVERIFY2(a.err.contains(says), a.err);
   QVERIFY(!QFile::exists(at(QStringLiteral("x.dcm"))));
+}
+
+void TestExportCapture::anEmptyOutputIsUsage() {
+  const Outcome a =
+      runProgram({QStringLiteral("export"), QStringLiteral("phantom:ct-head:8"), QStringLiteral("--as"),
+                  QStringLiteral("sc"), QStringLiteral("-o"), QStringLiteral("")});
+  QCOMPARE(a.status, 2);
+  QVERIFY2(a.err.contains("-o is empty"), a.err);
 }
 
 void TestExportCapture::whatCannotBeIsSaid_data() {
@@ -251,7 +264,7 @@ void TestExportCapture::whatCannotBeIsSaid_data() {
       << QByteArray("none/y.dcm");
   QTest::newRow("a file that is no PDF")
       << real << at(QStringLiteral("y.dcm")) << QStringLiteral("--as pdf --pdf /etc/hostname")
-      << QByteArray("no PDF");
+      << QByteArray("/etc/hostname is no PDF");
   QTest::newRow("no such file") << real << at(QStringLiteral("y.dcm"))
                                 << QStringLiteral("--as pdf --pdf /none.pdf") << QByteArray("/none.pdf");
 }

@@ -84,13 +84,16 @@ void TestExportKeyObjects::wrongInputIsRefused_data() {
       "reaches beyond its image");
   row("an arm without length", sr, R"("kind": "angle", "points": [[9, 9], [9, 9], [20, 1]])", 1,
       "[0] (angle): ");
-  row("a frame that is no number", ko + uid + QStringLiteral("/x"), "", 1, "is not UID or UID/FRAME");
-  row("frame 0", ko + uid + QStringLiteral("/0"), "", 1, "with frames from 1");
+  row("a frame that is no number", ko + uid + QStringLiteral("/x"), "", 2, "is not UID or UID/FRAME");
+  row("frame 0", ko + uid + QStringLiteral("/0"), "", 2, "with frames from 1");
+  row("a frame with an exponent", ko + uid + QStringLiteral("/1e0"), "", 2, "with frames from 1");
+  row("an image without name", ko + uid + QStringLiteral(","), "", 2, "\"\" is not UID or UID/FRAME");
   row("a frame too many", ko + uid + QStringLiteral("/35"), "", 1, "has no frame 35.");
   row("an image that is not here", ko + QStringLiteral("1.2.3"), "", 1,
       "No image here has the SOPInstanceUID 1.2.3.");
-  row("a title that rejects", ko + uid + QStringLiteral(" --title 113001"), "", 1, "rejects images");
-  row("an unknown title", ko + uid + QStringLiteral(" --title 7"), "", 1, "113000 Of Interest");
+  row("a title that rejects", ko + uid + QStringLiteral(" --title 113001"), "", 2,
+      "--title: The title 113001 rejects images");
+  row("an unknown title", ko + uid + QStringLiteral(" --title 7"), "", 2, "--title: There is no title 7.");
 }
 
 void TestExportKeyObjects::wrongInputIsRefused() {

@@ -353,7 +353,7 @@ void TestExportPresentation::wrongInputIsRefused_data() {
   row("no shapes there", chest, "--roi /nowhere/at/all", 1, "Cannot read the shapes");
   row("no such image", chest, "--window 4,9 --images 1.2.3", 1,
       "No image here has the SOPInstanceUID 1.2.3.");
-  row("a frame that is no number", chest, "--window 4,9 --images 1.2.3/x", 1, "is not UID or UID/FRAME");
+  row("a frame that is no number", chest, "--window 4,9 --images 1.2.3/x", 2, "is not UID or UID/FRAME");
   row("no such series", chest, "--window 4,9 --series 7.7", 1, "--series 7.7 names no series");
   row("colour", clip, "--window 4,9", 1, "holds a picture in colour");
   row("NIfTI", "nifti-meta/niftireader/5D_zeros.nii.gz", "--window 4,9", 1, "holds no DICOM images");

@@ -283,7 +283,8 @@ void TestExportSeries::wrongInputIsRefused_data() {
   row("an unknown plane", head, "--plane diagonal", 2, "--plane");
   row("a place twice", head, "--at 1 --index 2", 2, "--at");
   row("one direction", head, "--right 1,0,0", 2, "--down");
-  row("directions askew", head, "--right 1,0,0 --down 1,1,0", 1, "not at a right angle");
+  row("directions askew", head, "--right 1,0,0 --down 1,1,0", 2, "not at a right angle");
+  row("half a place", head, "--centre 1,2", 2, "--centre: \"1,2\" is not 3 numbers");
   row("a mode without a slab", head, "--slab-mode min", 2, "--slab");
   row("a plane outside", head, "--plane coronal --at 9999", 1, "outside of the volume");
   row("an index across slices", head, "--plane coronal --index 3", 1, "not parallel to the slices");

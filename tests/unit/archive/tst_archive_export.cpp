@@ -168,6 +168,8 @@ void TestArchiveExport::whatIsNotTakenIsTold() {
   const Outcome sent = exported(peer.port(), at("scans"), options);
   QCOMPARE(sent.status, 1);
   QVERIFY2(sent.err.contains("ended the connection."), sent.err);
+  QVERIFY2(sent.err.contains("archive:to") && !sent.err.contains("temporary"), sent.err);
+  QVERIFY2(!sent.out.contains("temporary"), sent.out);
   const QJsonObject told = QJsonDocument::fromJson(sent.out).object()[QStringLiteral("archive")].toObject();
   QCOMPARE(told[QStringLiteral("name")].toString(), QStringLiteral("to"));
   QCOMPARE(told[QStringLiteral("instances")].toInt(), 1);

@@ -236,6 +236,12 @@ void TestSecondaryCapture::eachObjectIsNewInItsStudy() {
   QVERIFY(writeCapture(in.out(), in.series, tags, {2, 2}, {Rgb(12, 9)}));
   QCOMPARE(nextSeriesNumber(in.folder.open(), in.series.studyUid), 9);
   QCOMPARE(nextSeriesNumber(in.folder.open(), "1.2.another"), 1);
+  Study full = in.folder.open();
+  for (const char* number : {"2147483647", "2147483646", "7"}) {
+    full.volumes.push_back(full.volumes[0]);
+    full.volumes.back().seriesNumber = number;
+  }
+  QCOMPARE(nextSeriesNumber(full, in.series.studyUid), 2147483645);
 }
 
 void TestSecondaryCapture::whatIsThereIsNotReplaced() {
