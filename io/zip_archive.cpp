@@ -2,6 +2,7 @@
 
 #include <sys/stat.h>
 
+#include <climits>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -231,6 +232,7 @@ std::string lastingPath(const std::string& path) {
 
 Result<PathOnDisk> pathOnDisk(const std::string& path, const std::string& cacheFolder,
                               const CancelToken& cancel) {
+  if (path.size() >= PATH_MAX) return PathOnDisk{path, false, {}};  // the system refuses it
   std::error_code error;
   fs::path archive = path;
   while (archive.has_relative_path() && !fs::exists(archive, error)) archive = archive.parent_path();

@@ -166,6 +166,7 @@ SegmentsFile toldApart(SegmentsFile file, const std::string& path) {
 template <class OfImage, class OfObject>
 Result<SegmentsFile> readAs(const std::string& path, const OfImage& ofImage, const OfObject& ofObject) try {
   std::error_code none;
+  if (!std::filesystem::exists(path, none)) return Error{path + " does not exist."};
   if (!std::filesystem::is_regular_file(path, none)) return Error{path + " is no file that can be read."};
   Result<SegmentsFile> file = looksLikeImageFile(path) ? ofImage() : ofObject();
   if (!file) return file;

@@ -99,7 +99,8 @@ Result<LeavingFiles> withoutIdentity(const LeavingFiles& leaving, bool faceless,
           << lookAt(tr("The face was taken away in %1 series of a head: look at a rendering."),
                     report->faceless)
           << lookAt(tr("A face may be recognised in %1 series of a head."), report->withFaces)
-          << lookAt(tr("SUV cannot be computed any more in %1 series."), report->withoutSuv);
+          << lookAt(tr("SUV cannot be computed any more in %1 series."), report->withoutSuv)
+          << lookAt(tr("%1 series of mosaics can no longer be shown as volumes."), report->withoutMosaic);
   details.removeAll(QString());
   LeavingFiles made;
   QDirIterator all(folder, QDir::Files, QDirIterator::Subdirectories);

@@ -199,7 +199,6 @@ void TestExportFilm::clipsAreTheirFrames_data() {
   };
   row("ultrasound in colour, as fast as its file says", "us-cine-aspect-regions.dcm", 34, "", 33);
   row("ultrasound, as fast as asked", "us-palette-cine-10.dcm", 10, "--fps 7", 7);
-  row("an angiography", "xa-96frames.dcm", 96, "", 30);
   row("an angiography in a window", "xa-96frames.dcm", 96, "--window 300,200", 30);
 }
 

@@ -315,7 +315,7 @@ void TestMeasureSegments::refused_data() {
   row("CSV of shapes", "scan.mha --roi shapes.json --csv a.csv", 2, "--csv goes with --segments FILE.");
   row("no unit", "scan.mha --segments a.seg.nrrd --unit SUV", 2, "--unit");
   row("no series", "none.mha --segments a.seg.nrrd", 1, "none.mha");
-  row("no file", "scan.mha --segments none.seg.nrrd", 1, "none.seg.nrrd is no file that can be read.");
+  row("no file", "scan.mha --segments none.seg.nrrd", 1, "none.seg.nrrd does not exist.");
   row("a folder", "scan.mha --segments folder", 1, "folder is no file that can be read.");
   row("text", "scan.mha --segments shapes.json", 1, "shapes.json");
   row("a picture", "scan.mha --segments values.nrrd", 1, "values.nrrd");

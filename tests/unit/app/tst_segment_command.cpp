@@ -214,7 +214,7 @@ void TestSegmentCommand::failureLeavesNoFile() {
   QVERIFY(!QFile::exists(file));
   const Outcome noSegments = runSegment(words("phantom:ramp:8 --from none.seg.nrrd -o") << file);
   QCOMPARE(noSegments.status, 1);
-  QVERIFY(noSegments.err.contains("none.seg.nrrd is no file that can be read"));
+  QVERIFY(noSegments.err.contains("none.seg.nrrd does not exist"));
   QVERIFY(!QFile::exists(file));
   const Outcome noSeries = runSegment(words("phantom:ramp:8 --series 9 --range 1:2 -o") << file);
   QCOMPARE(noSeries.status, 1);

@@ -120,7 +120,7 @@ void TestReadSegmentsHostile::whatHoldsNoneIsRefused_data() {
   };
   const QByteArray nrrd =
       "NRRD0004\ntype: int16\ndimension: 3\nsizes: 2 1 1\nencoding: raw\nendian: little\n";
-  row("there is none", "none", {}, "is no file that can be read");
+  row("there is none", "none", {}, "does not exist");
   row("a text", "a.txt", "This is a text.", "holds no segments");
   row("nothing in it", "empty.dcm", "", "");
   row("a slice", "s0", {}, "holds no segments");
