@@ -3,6 +3,7 @@
 #include <QProcess>
 #include <nlohmann/json.hpp>
 
+#include "app/batch/list_names.h"
 #include "app/batch/piece.h"
 #include "app/index_option.h"
 #include "io/files/name_for_uid.h"
@@ -73,7 +74,9 @@ Result<std::string> listFromIndex(const std::string& words, const std::string& t
     list += piece.dump() + '\n';
   }
   const auto right = readPieces(list, commands);
-  return right ? Result<std::string>(list) : Error{"--do: " + right.message()};
+  if (!right) return Error{"--do: " + right.message()};
+  const Status apart = checkNames(*right, {}, {}, {});
+  return apart ? Result<std::string>(list) : Error{"--do: " + apart.message()};
 }
 
 }  // namespace volumen

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "app/output_names.h"
 #include "app/printable.h"
 #include "app/version.h"
 #include "io/files/output_file.h"
@@ -58,9 +59,26 @@ std::vector<std::string> filesOf(const std::string& output) {
   return files;
 }
 
+// Returns what is in the stamp file of a piece; null: there is none, or it is broken.
+StampJson stampOf(const Piece& piece) {
+  constexpr std::int64_t mostBytes = 1 << 20;
+  const auto text = wholeText(stampFile(piece), mostBytes, "a stamp");
+  const auto json = text ? StampJson::parse(*text, nullptr, false) : StampJson();
+  return json.is_object() ? json : StampJson();
+}
+
 }  // namespace
 
 std::string stampFile(const Piece& piece) { return bareName(piece.outputs[0]) + ".volumen-stamp"; }
+
+bool isStamped(const Piece& piece, const std::string& output) {
+  const StampJson json = stampOf(piece),
+                  outputs = json.is_object() ? json.value("outputs", StampJson()) : json;
+  const std::string place = placeOfFile(output);
+  return outputs.is_object() && std::ranges::any_of(outputs.items(), [&](const auto& one) {
+           return placeOfFile(one.key()) == place;
+         });
+}
 
 const std::string& Stamps::filesAt(const std::string& path) {
   const auto [known, isNew] = known_.emplace(path, "");
@@ -92,10 +110,7 @@ std::string Stamps::of(const Piece& piece) {
 }
 
 bool isDone(const Piece& piece, const std::string& stamp) {
-  constexpr std::int64_t mostBytes = 1 << 20;
-  const auto text = wholeText(stampFile(piece), mostBytes, "a stamp");
-  if (!text) return false;
-  const auto json = StampJson::parse(*text, nullptr, false);
+  const StampJson json = stampOf(piece);
   if (!json.is_object() || json.value("made", StampJson()).dump() != stamp) return false;
   const auto outputs = json.find("outputs");
   return outputs != json.end() && outputs->is_object() && !outputs->empty() &&

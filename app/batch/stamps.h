@@ -33,6 +33,9 @@ class Stamps {
 /// sizes that they had.
 bool isDone(const Piece& piece, const std::string& stamp);
 
+/// Returns whether the stamp file of a piece names an output: an earlier run made it.
+bool isStamped(const Piece& piece, const std::string& output);
+
 /// Writes the stamp of a piece whose outputs are there; a folder is still at `aside`. The Error: an output is
 /// missing, or the stamp cannot be written.
 Status writeStamp(const Piece& piece, const std::string& stamp, const std::string& aside = {});

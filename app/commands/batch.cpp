@@ -6,6 +6,7 @@
 
 #include "app/batch/gather.h"
 #include "app/batch/list_from_index.h"
+#include "app/batch/list_names.h"
 #include "app/batch/run_list.h"
 #include "app/command.h"
 #include "app/index_option.h"
@@ -64,6 +65,8 @@ int run(const BatchOptions& options, const CancelToken& cancel) {
   if (!text) return fail(text.message());
   const auto pieces = readPieces(*text, commands);
   if (!pieces) return failUsage(pieces.message());
+  if (Status s = checkNames(*pieces, options.list, options.gathered, cancel); !s)
+    return failUsage(s.message());
   worker::stop();  // each process of a piece has its own
   const ListResult result = runList(dealt(*pieces, *shard), options.limits, cancel);
   const int status = statusOf(result);

@@ -103,6 +103,14 @@ Status checkUsage(const SliceOptions& options, const AskedPlane& asked) {
   return checkPlane(plane);
 }
 
+// Checks that the output can be written, before anything is read.
+Status checkOutput(const SliceOptions& options) {
+  if (options.output.empty()) return {};
+  if (Status s = checkApartFrom(options, {}); !s) return s;
+  const auto file = OutputFile::create(options.output);
+  return file ? Status() : Status(file.error());
+}
+
 int drawFrame(const SliceOptions& options, const std::optional<Window>& window, const CancelToken& cancel) {
   std::error_code ignored;
   if (std::filesystem::exists(options.output, ignored)) {
@@ -122,8 +130,7 @@ int run(const SliceOptions& options, const CancelToken& cancel) {
   const auto window = windowOf(options.window);
   if (!window) return failUsage(window.message());
   if (Status s = checkUsage(options, *asked); !s) return failUsage(s.message());
-  if (!options.output.empty())
-    if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
+  if (Status s = checkOutput(options); !s) return fail(s.message());
   if (how.plane == acquiredPlane) return drawFrame(options, *window, cancel);
   auto opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);

@@ -35,7 +35,26 @@ void TestBatch::badListsAreRefusedAtOnce_data() {
       "\"command\" is none of");
   row("no path", R"({"command": "render", "output": "b"})", "\"path\" is missing");
   row("an empty path", R"({"command": "render", "path": "", "output": "b"})", "\"path\" is not a text");
-  row("no paths", R"({"command": "render", "path": [], "output": "b"})", "\"path\" is empty");
+  row("several paths", R"({"command": "measure", "path": ["a", "b"], "output": "b"})",
+      "\"path\" is not a text");
+  row("a NUL in a path", R"({"command": "info", "path": "a\u0000b", "output": "b"})",
+      "it holds the character NUL");
+  row("a NUL in a list", R"({"command": "render", "path": "a", "output": "b", "size": ["1\u0000"]})",
+      "it holds the character NUL");
+  row("an empty output", R"({"command": "info", "path": "a", "output": ""})", "\"output\" is not a text");
+  row("a list as output", R"({"command": "info", "path": "a", "output": []})", "\"output\" is not a text");
+  row("the root as output", R"({"command": "convert", "path": "a", "output": "/"})",
+      "\"output\" is not the name of a file");
+  row("help", R"({"command": "info", "path": "a", "output": "b", "help": true})",
+      "--help is no part of a piece of work");
+  row("a list of presets", R"({"command": "render", "path": "a", "output": "b", "list-presets": true})",
+      "--list-presets is no part of a piece of work");
+  row("true where a value is needed", R"({"command": "render", "path": "a", "output": "b", "size": true})",
+      "\"size\" needs a value");
+  row("a value of a flag", R"({"command": "info", "path": "a", "output": "b", "json": "yes"})",
+      "\"json\" is a flag");
+  row("a key that is there twice", R"({"command": "info", "path": "a", "path": "c", "output": "b"})",
+      "\"path\" is there twice");
   row("no output", R"({"command": "render", "path": "a"})", "\"output\" is missing");
   row("an unknown option", R"({"command": "render", "path": "a", "output": "b", "colour": 1})",
       "volumen render has no option --colour");
