@@ -1,4 +1,5 @@
 // Guards `volumen batch`: every piece of a list is done as by hand, in one of any number of programs.
+#include <QElapsedTimer>
 #include <QRandomGenerator>
 
 #include "tests/unit/app/batch_case.h"
@@ -18,6 +19,8 @@ class TestBatch : public QObject {
   void shardsDoEachPieceOnce();
   void slurmTasksAreShards_data();
   void slurmTasksAreShards();
+  void manyShardsTakeNoTime();
+  void pathsMayBeginWithADash();
   void tablesAreGathered();
   void listsAreMadeOfTheIndex();
 };
@@ -93,7 +96,11 @@ void TestBatch::badUseIsSaid_data() {
   row("batch - --shard 2", "--shard is I/N");
   row("batch - --shard 1/3x", "--shard is I/N");
   row("batch - --shard 1/2 --gather a.csv", "--gather joins what all shards made");
+  row("batch - --shard 1/1000001", "--shard has 1000001 parts: give at most 1000000.");
   row("batch - --max-memory much", "--max-memory");
+  row("batch - --max-memory 63M", "--max-memory: a process needs 64M or more.");
+  row("batch - --max-memory 0", "--max-memory: a process needs 64M or more.");
+  row("batch - --max-memory -1", "--max-memory");
   row("batch --do render", "give both");
   row("batch - --from-index ct --do render", "Give a list of work, or");
 }
@@ -195,6 +202,29 @@ void TestBatch::shardsDoEachPieceOnce() {
   }
 }
 
+void TestBatch::manyShardsTakeNoTime() {
+  const BatchFolder folder;
+  QByteArray list;
+  for (int n = 0; n < 5000; ++n)
+    list += "{\"command\":\"info\",\"path\":\"p" + QByteArray::number(n) + "\",\"output\":\"" +
+            QByteArray::number(n) + ".txt\"}\n";
+  folder.write(QStringLiteral("jobs"), list);
+  QElapsedTimer timer;
+  timer.start();
+  const Outcome a = folder.batch({QStringLiteral("--shard"), QStringLiteral("1000000/1000000")});
+  QVERIFY2(a.status == 0 && a.out.isEmpty(), a.err);
+  QVERIFY2(timer.elapsed() < 20000, qPrintable(QString::number(timer.elapsed())));
+}
+
+void TestBatch::pathsMayBeginWithADash() {
+  const BatchFolder folder;
+  const QString volume = QStringLiteral("-v.nrrd");
+  QCOMPARE(runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, folder.at(volume))).status, 0);
+  folder.write(QStringLiteral("jobs"), listOf({smallPicture(QStringLiteral("a.png"), volume)}));
+  const Outcome a = folder.batch();
+  QVERIFY2(a.status == 0, a.out + a.err);
+}
+
 void TestBatch::slurmTasksAreShards_data() {
   QTest::addColumn<QByteArrayList>("values");  // ID, COUNT, MIN, STEP
   QTest::addColumn<int>("line");               // 0: refused
@@ -274,7 +304,7 @@ void TestBatch::listsAreMadeOfTheIndex() {
            one[QStringLiteral("csv")].toString().chopped(4));
   for (const char* wrong : {"segment --colour 1", "paint", "segment --csv", "segment --csv a b"}) {
     const Outcome b = list(QStringLiteral("ct"), QString::fromLatin1(wrong));
-    QVERIFY2(b.status == 1 && b.out.isEmpty() && b.err.contains("--do"), b.err);
+    QVERIFY2(b.status == 2 && b.out.isEmpty() && b.err.contains("--do"), b.err);
   }
   QVERIFY(list(QStringLiteral("nobody"), QStringLiteral("render -o {out}.png"))
               .err.contains("No study of the index"));
