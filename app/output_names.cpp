@@ -6,11 +6,9 @@
 
 namespace volumen {
 
-namespace fs = std::filesystem;
-
 std::string placeOfFile(const std::string& path) {
   std::error_code failed;
-  const fs::path place = fs::weakly_canonical(fs::absolute(path, failed), failed);
+  const auto place = std::filesystem::weakly_canonical(std::filesystem::absolute(path, failed), failed);
   return failed ? path : place.string();
 }
 

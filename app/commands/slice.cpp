@@ -104,7 +104,7 @@ Status checkUsage(const SliceOptions& options, const AskedPlane& asked) {
 }
 
 // Checks that the output can be written, before anything is read.
-Status checkOutput(const SliceOptions& options) {
+Status checkSliceOutput(const SliceOptions& options) {
   if (options.output.empty()) return {};
   if (Status s = checkApartFrom(options, {}); !s) return s;
   const auto file = OutputFile::create(options.output);
@@ -130,7 +130,7 @@ int run(const SliceOptions& options, const CancelToken& cancel) {
   const auto window = windowOf(options.window);
   if (!window) return failUsage(window.message());
   if (Status s = checkUsage(options, *asked); !s) return failUsage(s.message());
-  if (Status s = checkOutput(options); !s) return fail(s.message());
+  if (Status s = checkSliceOutput(options); !s) return fail(s.message());
   if (how.plane == acquiredPlane) return drawFrame(options, *window, cancel);
   auto opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);

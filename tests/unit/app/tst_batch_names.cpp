@@ -31,7 +31,7 @@ void fillSources(const BatchFolder& folder) {
 }
 
 // Returns the bytes of all files that a run must leave as they are.
-QByteArray bytesOf(const BatchFolder& folder) {
+QByteArray sourceBytes(const BatchFolder& folder) {
   return folder.contents(firstSlice) + folder.contents(QStringLiteral("v.nrrd")) +
          folder.contents(QStringLiteral("roi.json")) + folder.contents(QStringLiteral("src/t.csv")) +
          folder.contents(QStringLiteral("jobs"));
@@ -93,12 +93,12 @@ void TestBatchNames::whatIsReadStays() {
   const BatchFolder folder;
   fillSources(folder);
   folder.write(QStringLiteral("jobs"), list + '\n');
-  const QByteArray before = bytesOf(folder);
+  const QByteArray before = sourceBytes(folder);
   const QStringList files = folder.files();
   const Outcome a = folder.batch();
   QCOMPARE(a.status, 2);
   QVERIFY2(a.err.contains(said) && a.out.isEmpty(), a.err);
-  QVERIFY(bytesOf(folder) == before);
+  QVERIFY(sourceBytes(folder) == before);
   QCOMPARE(folder.files(), files);
 }
 
@@ -123,11 +123,11 @@ void TestBatchNames::tablesReplaceNothing() {
   folder.write(QStringLiteral("jobs"),
                R"({"command": "segment", "path": "src", "range": "1:", "csv": "a.csv"})"
                "\n");
-  const QByteArray before = bytesOf(folder);
+  const QByteArray before = sourceBytes(folder);
   const Outcome a = folder.batch({QStringLiteral("--gather"), table});
   QCOMPARE(a.status, 2);
   QVERIFY2(a.err.contains("--gather " + table.toLatin1()) && a.err.contains(said) && a.out.isEmpty(), a.err);
-  QVERIFY(bytesOf(folder) == before && !QFile::exists(folder.at(QStringLiteral("a.csv"))));
+  QVERIFY(sourceBytes(folder) == before && !QFile::exists(folder.at(QStringLiteral("a.csv"))));
 }
 
 void TestBatchNames::newFilesInSourceFoldersAreDoneAgain() {
@@ -164,11 +164,11 @@ void TestBatchNames::whatIsReadStaysByHand() {
   QFETCH(QByteArray, said);
   const BatchFolder folder;
   fillSources(folder);
-  const QByteArray before = bytesOf(folder);
+  const QByteArray before = sourceBytes(folder);
   const Outcome a = runProgramIn(folder.at({}), command.split(QLatin1Char(' ')));
   QCOMPARE(a.status, 1);
   QVERIFY2(a.err.contains(said), a.err);
-  QVERIFY(bytesOf(folder) == before);
+  QVERIFY(sourceBytes(folder) == before);
   QVERIFY(!QFile::exists(folder.at(QStringLiteral("a.png"))) &&
           !QFile::exists(folder.at(QStringLiteral("b.nrrd"))));
 }

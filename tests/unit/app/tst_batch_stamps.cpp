@@ -21,7 +21,7 @@ class TestBatchStamps : public QObject {
 namespace {
 
 // A report of a series in the folder "src".
-QJsonObject report(const BatchFolder& folder) {
+QJsonObject reportPiece(const BatchFolder& folder) {
   const QString source = QStringLiteral("src/");
   runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, folder.at(source)));
   folder.write(QStringLiteral("roi.json"), R"([{"kind": "length", "points": [[0, 0, 0], [0, 30, 0]]}])");
@@ -98,7 +98,7 @@ void TestBatchStamps::stampsThatNoLongerHoldAreDoneAgain() {
 // By hand they replace nothing.
 void TestBatchStamps::exportsAreDoneAgain() {
   const BatchFolder folder;
-  folder.write(QStringLiteral("jobs"), listOf({report(folder)}));
+  folder.write(QStringLiteral("jobs"), listOf({reportPiece(folder)}));
   QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
   QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
   const QByteArray before = folder.contents(QStringLiteral("r.dcm"));
@@ -118,7 +118,7 @@ void TestBatchStamps::exportsAreDoneAgain() {
 
 void TestBatchStamps::otherFilesStay() {
   const BatchFolder folder;
-  folder.write(QStringLiteral("jobs"), listOf({report(folder)}));
+  folder.write(QStringLiteral("jobs"), listOf({reportPiece(folder)}));
   folder.write(QStringLiteral("r.dcm"), "years of work");
   const Outcome a = folder.batch();
   QCOMPARE(a.status, 1);
