@@ -64,17 +64,36 @@ auto around(const Map& map, fs::path place) {
   return found;
 }
 
+// Places of files as placeOfFile() has them, for many in few folders.
+class Places {
+ public:
+  std::string operator()(const std::string& path) {
+    const fs::path bare(bareName(path)), name = bare.filename();
+    std::error_code ignored;
+    if (name.empty() || name == "." || name == ".." || fs::is_symlink(bare, ignored))
+      return placeOfFile(path);
+    const std::string parent = bare.has_parent_path() ? bare.parent_path().string() : ".";
+    const auto [folder, isNew] = folders_.emplace(parent, "");
+    if (isNew) folder->second = placeOfFile(parent);
+    return (fs::path(folder->second) / name).string();
+  }
+
+ private:
+  std::map<std::string, std::string> folders_;
+};
+
 // Finds what a list reads and writes by its place, however it is spelled.
 class ListNames {
  public:
   ListNames(const std::vector<Piece>& pieces, const std::string& list, const CancelToken& cancel)
-      : pieces_(pieces), list_(list.empty() || list == "-" ? "" : placeOfFile(list)), cancel_(cancel) {
+      : pieces_(pieces), cancel_(cancel) {
+    if (!list.empty() && list != "-") list_ = placeOf_(list);
     for (const Piece& piece : pieces)
       for (const std::string& path : piece.reads) {
         if (path.starts_with("index:"))
           studies_.emplace(path, piece.line);
         else if (!isStudyName(path))
-          read_.emplace(placeOfFile(path), piece.line);
+          read_.emplace(placeOf_(path), piece.line);
       }
     for (const auto& [place, line] : read_)
       for (fs::path folder = fs::path(place).parent_path(); folder.has_relative_path();
@@ -114,7 +133,7 @@ class ListNames {
   }
 
   Status checkTable(const std::string& table) {
-    const auto written = written_.find(placeOfFile(table));
+    const auto written = written_.find(placeOf_(table));
     std::string why;
     if (written != written_.end()) why = ", which line " + std::to_string(written->second) + " writes";
     if (why.empty()) why = within(table);
@@ -128,15 +147,15 @@ class ListNames {
   }
 
   Status add(const std::string& name, int line) {
-    const auto [other, isNew] = written_.emplace(placeOfFile(name), line);
+    const auto [other, isNew] = written_.emplace(placeOf_(name), line);
     if (isNew) return {};
     return Error{"Line " + std::to_string(line) + " of the list: it writes " + name + ", as line " +
                  std::to_string(other->second) + " does."};
   }
 
   // Returns which line writes the folder that a name lies in; empty: none.
-  std::string within(const std::string& name) const {
-    const auto found = around(written_, fs::path(placeOfFile(name)).parent_path());
+  std::string within(const std::string& name) {
+    const auto found = around(written_, fs::path(placeOf_(name)).parent_path());
     return found == written_.end() ? ""
                                    : ", in the folder that line " + std::to_string(found->second) + " writes";
   }
@@ -144,7 +163,7 @@ class ListNames {
   // Returns which file a name would replace; empty: none.
   template <class IsOurs>
   std::string replaced(const std::string& name, const IsOurs& isOurs) {
-    const std::string place = placeOfFile(name);
+    const std::string place = placeOf_(name);
     if (place == list_) return ", which is the list itself";
     const auto said = [](int line) { return ", which line " + std::to_string(line) + " reads"; };
     if (const auto found = read_.find(place); found != read_.end()) return said(found->second);
@@ -155,22 +174,24 @@ class ListNames {
     if (!fs::exists(name, ignored)) return "";
     if (const auto found = around(read_, place); found != read_.end())
       return isOurs() ? "" : said(found->second);
-    const auto& studies = filesOfStudies();
-    const auto found = studies.find(place);
-    return found == studies.end() ? "" : said(found->second);
+    if ((studies_.empty() && ofStudies_.empty()) || isOurs()) return "";
+    const auto& files = filesOfStudies();
+    const auto found = files.find(place);
+    return found == files.end() ? "" : said(found->second);
   }
 
   // Asks the index only if something is there that could be replaced.
   const std::map<std::string, int>& filesOfStudies() {
     for (const auto& [study, line] : std::exchange(studies_, {}))
       if (const auto files = filesOfPath(study, {}, cancel_); files)
-        for (const std::string& file : *files) ofStudies_.emplace(placeOfFile(file), line);
+        for (const std::string& file : *files) ofStudies_.emplace(placeOf_(file), line);
     return ofStudies_;
   }
 
   const std::vector<Piece>& pieces_;
-  std::string list_;
   CancelToken cancel_;
+  Places placeOf_;
+  std::string list_;
   std::map<std::string, int> read_, aroundRead_, written_, studies_, ofStudies_;  // lines
 };
 

@@ -67,7 +67,8 @@ Result<FilesAside> MadeAside::made() const {
   return all;
 }
 
-// Another program may do the same at once: then the folder of the later one stays.
+// Another program may do the same at once: then the folder of the later one stays. A folder cannot be
+// replaced in one step, so this is tried again if the other one was faster.
 Status MadeAside::giveName(const std::string& name, const std::string& file) const {
   constexpr int mostTries = 10;
   std::error_code problem;
@@ -89,8 +90,10 @@ Status MadeAside::move(const std::string& stamp, const StampedEnd& end) const {
   if (Status s = writeStamp(asked_, stamp, end, *files); !s) return s;
   for (const auto& [name, file] : *files)
     if (Status s = giveName(name, file); !s) return s;
-  // Another program may have written its stamp meanwhile.
-  return isDone(asked_, stamp) ? Status() : writeStamp(asked_, stamp, end);
+  // Another program may have written its stamp meanwhile. If it replaces the output just now, it does this
+  // last.
+  if (!isDone(asked_, stamp)) static_cast<void>(writeStamp(asked_, stamp, end));
+  return {};
 }
 
 void MadeAside::clear() const {
