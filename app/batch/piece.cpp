@@ -33,11 +33,17 @@ bool isOneOf(const Names& names, const std::string& word) {
   return std::ranges::find(names, word) != std::end(names);
 }
 
+// Returns a text. The Error: on a command line it would end at a NUL.
+Result<std::string> withoutNul(std::string text) {
+  if (text.find('\0') != text.npos) return Error{"holds the character NUL"};
+  return text;
+}
+
 // Returns the text of a value on a command line. The Error: it has none.
 Result<std::string> textOf(const JobJson& value) {
-  if (value.is_string()) return value.get<std::string>();
+  if (value.is_string()) return withoutNul(value.get<std::string>());
   if (value.is_number()) return value.dump();
-  if (!value.is_array()) return Error{"is neither a text, a number, true nor a list of them"};
+  if (!value.is_array()) return Error{"is neither a text, a number nor a list of them"};
   std::string all;
   for (const JobJson& part : value) {
     const auto text = part.is_array() ? Result<std::string>(Error{"holds a list in a list"}) : textOf(part);
@@ -50,7 +56,7 @@ Result<std::string> textOf(const JobJson& value) {
 // Returns a text that can stand on a command line. The Error: it is none.
 Result<std::string> wordOf(const JobJson& value) {
   if (!value.is_string() || value.get<std::string>().empty()) return Error{"is not a text"};
-  return value.get<std::string>();
+  return withoutNul(value.get<std::string>());
 }
 
 // Adds the path of a piece. A name that begins with a dash is no option.
@@ -107,14 +113,6 @@ Status addOption(const std::string& name, const JobJson& value, const CLI::App& 
   return {};
 }
 
-// Returns whether a text of a line holds what ends a text on a command line.
-bool holdsNul(const JobJson& value) {
-  if (value.is_string()) return value.get_ref<const std::string&>().find('\0') != std::string::npos;
-  if (value.is_array()) return std::ranges::any_of(value, holdsNul);
-  return value.is_object() &&
-         std::ranges::any_of(value.items(), [](const auto& one) { return holdsNul(one.value()); });
-}
-
 bool writesFolder(const JobJson& json) {
   return json.value("as", JobJson()) == "series" || json.value("deidentify", JobJson()) == true;
 }
@@ -122,19 +120,19 @@ bool writesFolder(const JobJson& json) {
 Result<Piece> pieceOf(const JobJson& json, const CommandLine& commands) {
   Piece piece;
   if (!json.is_object()) return Error{"it is no JSON object"};
-  if (holdsNul(json)) return Error{"it holds the character NUL, which no name has"};
   if (const auto name = json.find("command"); name != json.end() && name->is_string()) piece.command = *name;
   if (!isOneOf(kinds, piece.command)) return Error{"\"command\" is none of " + listOfKinds()};
   piece.words.push_back(piece.command);
   const CLI::App& command = *commands.command(piece.command);
   if (!json.contains("path")) return Error{"\"path\" is missing"};
   if (Status s = addPath(json["path"], piece); !s) return s.error();
-  piece.group = piece.path + '\n' + (json.contains("series") ? json["series"].dump() : "");
+  std::string alike;
   for (const auto& [name, value] : json.items()) {
     if (name == "command" || name == "path") continue;
     if (Status s = addOption(name, value, command, piece); !s) return s.error();
-    if (isOneOf(alone, name)) piece.group += '\n' + name + value.dump();
+    if (isOneOf(alone, name)) alike += '\n' + name + value.dump();
   }
+  piece.group = piece.path + '\n' + (json.contains("series") ? json["series"].dump() : "") + alike;
   if (piece.outputs.empty()) return Error{"\"output\" is missing: the file to write"};
   if (writesFolder(json) && !piece.isFolder()) piece.outputs[0] += '/';
   return piece;

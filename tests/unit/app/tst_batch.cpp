@@ -41,13 +41,17 @@ void TestBatch::badListsAreRefusedAtOnce_data() {
   row("several paths", R"({"command": "measure", "path": ["a", "b"], "output": "b"})",
       "\"path\" is not a text");
   row("a NUL in a path", R"({"command": "info", "path": "a\u0000b", "output": "b"})",
-      "it holds the character NUL");
+      "\"path\" holds the character NUL");
   row("a NUL in a list", R"({"command": "render", "path": "a", "output": "b", "size": ["1\u0000"]})",
-      "it holds the character NUL");
+      "\"size\" holds the character NUL");
   row("an empty output", R"({"command": "info", "path": "a", "output": ""})", "\"output\" is not a text");
   row("a list as output", R"({"command": "info", "path": "a", "output": []})", "\"output\" is not a text");
   row("the root as output", R"({"command": "convert", "path": "a", "output": "/"})",
       "\"output\" is not the name of a file");
+  const QByteArray deep = QByteArray(1000000, '[') + QByteArray(1000000, ']');
+  QTest::newRow("deep lists")
+      << QByteArray(R"({"command": "render", "path": "a", "output": "b", "series": )" + deep + '}')
+      << QByteArray("\"series\" holds a list in a list");
   row("help", R"({"command": "info", "path": "a", "output": "b", "help": true})",
       "--help is no part of a piece of work");
   row("a list of presets", R"({"command": "render", "path": "a", "output": "b", "list-presets": true})",
