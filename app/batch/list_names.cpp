@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <map>
+#include <utility>
 
 #include "app/batch/gather.h"
 #include "app/batch/stamps.h"

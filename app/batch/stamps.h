@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/batch/piece.h"
 #include "viewer/volume/cancel.h"
