@@ -9,4 +9,7 @@ namespace volumen {
 /// file is not there or is no table, or the list has none.
 Status gather(const std::vector<Piece>& pieces, const std::string& output);
 
+/// Returns whether a file begins as the tables of gather() do.
+bool isGatheredTable(const std::string& file);
+
 }  // namespace volumen

@@ -3,6 +3,7 @@
 #include <QProcess>
 #include <nlohmann/json.hpp>
 
+#include "app/batch/list_names.h"
 #include "app/batch/piece.h"
 #include "app/index_option.h"
 #include "io/files/name_for_uid.h"
@@ -55,9 +56,12 @@ std::string withName(std::string text, const std::string& name) {
 }  // namespace
 
 Result<std::string> listFromIndex(const std::string& words, const std::string& typed,
-                                  const std::string& indexFolder, const CommandLine& commands) {
+                                  const std::string& indexFolder, const CommandLine& commands,
+                                  bool& isMistyped) {
+  isMistyped = true;
   const auto job = jobOf(QProcess::splitCommand(QString::fromStdString(typed)), commands);
   if (!job) return job.error();
+  isMistyped = false;
   const Result<Index> index = openExistingIndex(indexFolder);
   if (!index) return index.error();
   const auto studies = index->studies({.words = words});
@@ -72,8 +76,11 @@ Result<std::string> listFromIndex(const std::string& words, const std::string& t
                         : value;
     list += piece.dump() + '\n';
   }
+  isMistyped = true;
   const auto right = readPieces(list, commands);
-  return right ? Result<std::string>(list) : Error{"--do: " + right.message()};
+  if (!right) return Error{"--do: " + right.message()};
+  const Status apart = checkNames(*right, {}, {}, {});
+  return apart ? Result<std::string>(list) : Error{"--do: " + apart.message()};
 }
 
 }  // namespace volumen

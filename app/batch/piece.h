@@ -14,6 +14,7 @@ struct Piece {
   int line = 0;                    ///< in the list, from 1
   std::string command, path;       ///< as written
   std::vector<std::string> words;  ///< the command line without the name of the program
+  std::vector<std::string> reads;  ///< the path, and values of options that name files
   /// Files that it writes, "output" first. A name that ends with '/' is a folder. The stamp lies beside the
   /// first.
   std::vector<std::string> outputs;
@@ -25,11 +26,10 @@ struct Piece {
 /// Returns the name of an output without the '/' behind a folder.
 std::string bareName(const std::string& output);
 
-/// Reads a list of work, a JSON object a line. Its keys are "command", "path" (a text or a list of texts),
-/// "output" or "csv", and long options of the command without dashes. The value true sets a flag, and a list
-/// stands for its texts joined by commas. Empty lines and lines that begin with # are skipped. The Error
-/// names the line: it is no JSON object, has an unknown command or option, has no output, or writes a file
-/// that another line writes.
+/// Reads a list of work, a JSON object a line. Its keys are "command", "path", "output" or "csv", and long
+/// options of the command without dashes. The value true sets a flag, and a list stands for its texts joined
+/// by commas. Empty lines and lines that begin with # are skipped. The Error names the line: it is no JSON
+/// object, has a key twice, an unknown command or option, a value that does not fit, or no output.
 Result<std::vector<Piece>> readPieces(std::string_view list, const CommandLine& commands);
 
 }  // namespace volumen

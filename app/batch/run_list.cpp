@@ -2,30 +2,27 @@
 
 #include <QImageReader>
 #include <cmath>
-#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <sstream>
-#include <system_error>
 
+#include "app/batch/made_aside.h"
 #include "app/batch/stamps.h"
 #include "app/command.h"
 #include "app/progress.h"
-#include "io/files/aside.h"
 #include "io/files/output_file.h"
 
 namespace volumen {
 
 namespace {
 
-namespace fs = std::filesystem;
 using LineJson = nlohmann::ordered_json;
 
 // Returns the lines that a command wrote to stderr, without its name.
-LineJson linesOf(const std::string& text) {
-  LineJson all = LineJson::array();
+std::vector<std::string> linesOf(const std::string& text) {
+  std::vector<std::string> all;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("volumen: ")) line.erase(0, 9);
@@ -46,36 +43,37 @@ LineJson errorsIn(const std::string& picture) {
   return errors;
 }
 
-// A piece to do. Its folder is made aside, so that it appears whole, with its stamp.
 struct ToDo {
-  Piece asked, made;  // `made` writes to the folder aside
+  Piece asked;
   std::string stamp;
-  std::optional<FolderAside> folder{};
-  std::string problem{};  // why there is no folder aside
+  std::optional<MadeAside> aside{};
+  std::string problem{};  // why it cannot be made aside
 
-  std::string aside() const { return folder ? folder->path() + "/made" : std::string(); }
+  Piece made() const { return aside ? aside->piece() : asked; }
 };
 
-ToDo toDoOf(const Piece& piece, std::string stamp) {
-  ToDo todo{piece, piece, std::move(stamp)};
-  if (!piece.isFolder()) return todo;
-  auto folder = FolderAside::in(fs::path(bareName(piece.outputs[0])).parent_path().string());
-  if (!folder) {
-    todo.problem = "Cannot make " + piece.outputs[0] + ": " + folder.message() + ".";
-    return todo;
-  }
-  todo.folder.emplace(*std::move(folder));
-  for (std::string& word : todo.made.words)
-    if (word.starts_with("--output=")) word = "--output=" + todo.aside() + '/';
+ToDo toDoOf(const Piece& piece, std::string stamp, FoldersAside& folders) {
+  ToDo todo{piece, std::move(stamp)};
+  if (!MadeAside::isFor(piece)) return todo;
+  auto aside = MadeAside::of(piece, folders);
+  if (aside)
+    todo.aside.emplace(*std::move(aside));
+  else
+    todo.problem = aside.message();
   return todo;
 }
 
 class ListRun {
  public:
   ListRun(std::size_t count, const PieceLimits& limits, const CancelToken& cancel)
-      : count_(count), limits_(limits), cancel_(cancel), stamps_(cancel), progress_(terminalProgress()) {}
+      : count_(count),
+        limits_(limits),
+        cancel_(cancel),
+        stamps_(limits.bytes, cancel),
+        progress_(terminalProgress()) {}
 
   void run(const std::vector<Piece>& group) {
+    FoldersAside folders;
     std::vector<ToDo> all;
     std::vector<Piece> made;
     for (const Piece& piece : group) {
@@ -84,8 +82,8 @@ class ListRun {
         skip(piece);
         continue;
       }
-      all.push_back(toDoOf(piece, std::move(stamp)));
-      made.push_back(all.back().made);
+      all.push_back(toDoOf(piece, std::move(stamp), folders));
+      made.push_back(all.back().made());
     }
     std::unique_ptr<PieceProcess> process;
     for (std::size_t n = 0; n < all.size() && !cancel_.cancelled(); ++n) {
@@ -94,10 +92,7 @@ class ListRun {
         continue;
       }
       if (!process) process = std::make_unique<PieceProcess>(made, limits_, cancel_);
-      forgetStamp(all[n].asked);
-      const PieceResult result = process->run(n);
-      if (!result.exitStatus) process.reset();
-      finish(all[n], result);
+      doOne(all[n], n, process);
     }
   }
 
@@ -108,34 +103,47 @@ class ListRun {
 
  private:
   void skip(const Piece& piece) {
+    const StampedEnd end = stampedEnd(piece);
     ++result_.skipped;
+    result_.withLosses += end.exitStatus == exitLosses;
     result_.there.push_back(piece);
-    tell(piece, "skipped", LineJson::object());
+    tell(piece, "skipped", {{"exit", end.exitStatus}, {"warnings", end.warnings}});
   }
 
-  // A stamp that no longer holds must not outlast a failure. That of a folder says whose the folder is.
-  static void forgetStamp(const Piece& piece) {
-    std::error_code ignored;
-    if (!piece.isFolder()) fs::remove(stampFile(piece), ignored);
+  // While a command replaces its output itself, there is no stamp, which would be of another one.
+  void doOne(const ToDo& todo, std::size_t index, std::unique_ptr<PieceProcess>& process) {
+    std::optional<StampTaken> taken;
+    if (!todo.aside) taken.emplace(todo.asked);
+    PieceResult result = process->run(index);
+    if (todo.aside) result.error = todo.aside->named(std::move(result.error));
+    if (!result.exitStatus) process.reset();
+    if (!finish(todo, result) && taken) taken->giveBack();
+    if (todo.aside) todo.aside->clear();
   }
 
-  void fail(const Piece& piece, const LineJson& facts) {
+  bool fail(const Piece& piece, const LineJson& facts) {
     ++result_.failed;
     tell(piece, "failed", facts);
+    return false;
   }
 
-  void finish(const ToDo& todo, const PieceResult& result) {
+  // Returns whether it was done.
+  bool finish(const ToDo& todo, const PieceResult& result) {
     const Piece& piece = todo.asked;
     LineJson facts = {{"seconds", std::round(result.seconds * 1000) / 1000},
                       {"peakMebibytes", result.peakBytes >> 20},
                       {"warnings", linesOf(result.error)}};
     if (result.exitStatus) facts["exit"] = *result.exitStatus;
     const bool isDoneWell = result.exitStatus == exitDone || result.exitStatus == exitLosses;
-    if (cancel_.cancelled() && !isDoneWell) return tell(piece, "interrupted", facts);
+    if (cancel_.cancelled() && !isDoneWell) {
+      tell(piece, "interrupted", facts);
+      return false;
+    }
     if (!result.exitStatus) facts["warnings"].push_back("Its process " + result.end + ".");
     if (!isDoneWell) return fail(piece, facts);
     if (const Status kept = keep(todo, result); !kept) {
       facts["warnings"].push_back(kept.message());
+      facts["exit"] = int(exitFailed);
       return fail(piece, facts);
     }
     ++result_.done;
@@ -143,28 +151,14 @@ class ListRun {
     result_.there.push_back(piece);
     if (LineJson errors = errorsIn(piece.outputs[0]); !errors.empty()) facts["error"] = std::move(errors);
     tell(piece, "done", facts);
+    return true;
   }
 
   static Status keep(const ToDo& todo, const PieceResult& result) {
     if (todo.asked.keepsStdout)
       if (Status s = writeWholeFile(todo.asked.outputs[0], result.out); !s) return s;
-    return todo.folder ? moveFolder(todo) : writeStamp(todo.asked, todo.stamp);
-  }
-
-  // Gives a folder its name. A folder beside a stamp is of an earlier list and goes; another one stays. The
-  // stamp comes before the name: wherever this process is killed, the next one knows whose the folder is.
-  static Status moveFolder(const ToDo& todo) {
-    const std::string name = bareName(todo.asked.outputs[0]);
-    std::error_code problem;
-    if (fs::exists(name, problem) && !fs::is_empty(name, problem)) {
-      if (!fs::exists(stampFile(todo.asked), problem))
-        return Error{name + " is there already, and no list made it: move it away."};
-      fs::remove_all(name, problem);
-    }
-    if (Status s = writeStamp(todo.asked, todo.stamp, todo.aside()); !s) return s;
-    fs::rename(todo.aside(), name, problem);
-    if (problem && isDone(todo.asked, todo.stamp)) return {};  // another program has just made it
-    return problem ? Status(Error{"Cannot make " + name + ": " + problem.message() + "."}) : Status();
+    const StampedEnd end{*result.exitStatus, linesOf(result.error)};
+    return todo.aside ? todo.aside->move(todo.stamp, end) : writeStamp(todo.asked, todo.stamp, end);
   }
 
   void tell(const Piece& piece, const char* end, const LineJson& facts) {

@@ -3,12 +3,17 @@
 #include <algorithm>
 #include <charconv>
 #include <cstdlib>
+#include <functional>
 #include <map>
 #include <optional>
+#include <queue>
+#include <utility>
 
 namespace volumen {
 
 namespace {
+
+constexpr int mostShards = 1000000;
 
 std::optional<int> wholeNumberIn(std::string_view text) {
   int number = 0;
@@ -46,6 +51,9 @@ Result<Shard> shardOf(const std::string& text) {
     const auto count = slash == text.npos ? std::nullopt : wholeNumberIn(text.substr(slash + 1));
     if (!index || !count || *index < 1 || *index > *count)
       return Error{"--shard is I/N, such as 3/20: the third of twenty parts."};
+    if (*count > mostShards)
+      return Error{"--shard has " + std::to_string(*count) + " parts: give at most " +
+                   std::to_string(mostShards) + "."};
     return Shard{*index, *count};
   }
   const auto id = numberInEnvironment("SLURM_ARRAY_TASK_ID"),
@@ -64,12 +72,16 @@ Result<Shard> shardOf(const std::string& text) {
 std::vector<std::vector<Piece>> dealt(const std::vector<Piece>& pieces, Shard shard) {
   const auto count = std::size_t(shard.count);
   const std::size_t part = std::max<std::size_t>(1, (pieces.size() + count - 1) / count);
-  std::vector<std::size_t> load(count);
-  std::vector<std::vector<Piece>> own;
-  for (std::vector<Piece>& group : groupsOf(pieces, part)) {
-    const auto least = std::ranges::min_element(load);
-    *least += group.size();
-    if (least - load.begin() == shard.index - 1) own.push_back(std::move(group));
+  std::vector<std::vector<Piece>> groups = groupsOf(pieces, part), own;
+  // Load and index of shards, the least one first. Shards that are more than groups get none.
+  using Load = std::pair<std::size_t, std::size_t>;
+  std::priority_queue<Load, std::vector<Load>, std::greater<>> loads;
+  for (std::size_t n = 0; n < std::min(count, groups.size()); ++n) loads.emplace(0, n);
+  for (std::vector<Piece>& group : groups) {
+    const auto [load, index] = loads.top();
+    loads.pop();
+    loads.emplace(load + group.size(), index);
+    if (index + 1 == std::size_t(shard.index)) own.push_back(std::move(group));
   }
   return own;
 }

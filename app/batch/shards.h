@@ -9,8 +9,9 @@ struct Shard {
   int index = 1, count = 1;
 };
 
-/// Reads "I/N", 1 <= I <= N. Without text it is the task of a Slurm array (SLURM_ARRAY_TASK_ID, _MIN, _STEP
-/// and _COUNT), else the only one. The Error: it is no such text, or the array is not evenly numbered.
+/// Reads "I/N", 1 <= I <= N <= 1,000,000. Without text it is the task of a Slurm array (SLURM_ARRAY_TASK_ID,
+/// _MIN, _STEP and _COUNT), else the only one. The Error: it is no such text, or the array is not evenly
+/// numbered.
 Result<Shard> shardOf(const std::string& text);
 
 /// Returns the pieces of a shard, those of one series (Piece::group) together, so that it is read once. Each

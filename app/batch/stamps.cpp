@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <system_error>
 
+#include "app/output_names.h"
 #include "app/printable.h"
 #include "app/version.h"
 #include "io/files/output_file.h"
@@ -19,6 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 using StampJson = nlohmann::ordered_json;
+
+constexpr std::uint64_t mostStampBytes = 64 << 20;
 
 // Returns name, size and time of a file as a line of text.
 std::string lineOf(const fs::path& file) {
@@ -58,9 +61,33 @@ std::vector<std::string> filesOf(const std::string& output) {
   return files;
 }
 
+// Returns name, size and time of all files that the outputs of a piece became.
+std::string linesOfOutputs(const Piece& piece) {
+  std::string lines;
+  for (const std::string& output : piece.outputs)
+    for (const std::string& file : filesOf(output)) lines += lineOf(file);
+  return lines;
+}
+
+// Returns what is in the stamp file of a piece; null: there is none, or it is broken.
+StampJson stampOf(const Piece& piece) {
+  const auto text = wholeText(stampFile(piece), mostStampBytes, "a stamp");
+  const auto json = text ? StampJson::parse(*text, nullptr, false) : StampJson();
+  return json.is_object() ? json : StampJson();
+}
+
 }  // namespace
 
 std::string stampFile(const Piece& piece) { return bareName(piece.outputs[0]) + ".volumen-stamp"; }
+
+bool isStamped(const Piece& piece, const std::string& output) {
+  const StampJson json = stampOf(piece),
+                  outputs = json.is_object() ? json.value("outputs", StampJson()) : json;
+  const std::string place = placeOfFile(output);
+  return outputs.is_object() && std::ranges::any_of(outputs.items(), [&](const auto& one) {
+           return placeOfFile(one.key()) == place;
+         });
+}
 
 const std::string& Stamps::filesAt(const std::string& path) {
   const auto [known, isNew] = known_.emplace(path, "");
@@ -86,16 +113,15 @@ std::string Stamps::of(const Piece& piece) {
   StampJson words = StampJson::array(), files = StampJson::array();
   for (const std::string& word : piece.words) words.push_back(pathForJson(word));
   for (const std::string& path : read) files.push_back(filesAt(path));
-  return StampJson{
-      {"version", std::string(VOLUMEN_VERSION) + " " + revision}, {"command", words}, {"files", files}}
+  return StampJson{{"version", std::string(VOLUMEN_VERSION) + " " + revision},
+                   {"command", words},
+                   {"files", files},
+                   {"memory", mostBytes_}}
       .dump();
 }
 
 bool isDone(const Piece& piece, const std::string& stamp) {
-  constexpr std::int64_t mostBytes = 1 << 20;
-  const auto text = wholeText(stampFile(piece), mostBytes, "a stamp");
-  if (!text) return false;
-  const auto json = StampJson::parse(*text, nullptr, false);
+  const StampJson json = stampOf(piece);
   if (!json.is_object() || json.value("made", StampJson()).dump() != stamp) return false;
   const auto outputs = json.find("outputs");
   return outputs != json.end() && outputs->is_object() && !outputs->empty() &&
@@ -105,21 +131,45 @@ bool isDone(const Piece& piece, const std::string& stamp) {
          });
 }
 
-Status writeStamp(const Piece& piece, const std::string& stamp, const std::string& aside) {
+StampedEnd stampedEnd(const Piece& piece) {
+  const StampJson json = stampOf(piece);
+  StampedEnd end;
+  if (!json.is_object()) return end;
+  if (const auto status = json.find("exit"); status != json.end() && status->is_number_integer())
+    end.exitStatus = status->get<int>();
+  if (const auto said = json.find("warnings"); said != json.end() && said->is_array())
+    for (const StampJson& one : *said)
+      if (one.is_string()) end.warnings.push_back(one.get<std::string>());
+  return end;
+}
+
+Status writeStamp(const Piece& piece, const std::string& stamp, const StampedEnd& end,
+                  const FilesAside& aside) {
   StampJson outputs = StampJson::object();
-  if (!aside.empty()) {
-    const auto bytes = sizeOfOutput(aside);
-    if (!bytes) return Error{"It ended well, but " + piece.outputs[0] + " is not there."};
-    outputs[bareName(piece.outputs[0])] = *bytes;
-  }
+  for (const auto& [name, file] : aside) outputs[name] = sizeOfOutput(file).value_or(0);
   for (const std::string& output : piece.outputs) {
     if (!aside.empty() && output == piece.outputs[0]) continue;
     const std::vector<std::string> files = filesOf(output);
     if (files.empty()) return Error{"It ended well, but " + output + " is not there."};
     for (const std::string& file : files) outputs[file] = sizeOfOutput(file).value_or(0);
   }
-  const StampJson all = {{"made", StampJson::parse(stamp)}, {"outputs", outputs}};
-  return writeWholeFile(stampFile(piece), all.dump() + "\n");
+  const StampJson all = {{"made", StampJson::parse(stamp)},
+                         {"exit", end.exitStatus},
+                         {"warnings", end.warnings},
+                         {"outputs", outputs}};
+  return writeWholeFile(stampFile(piece),
+                        all.dump(-1, ' ', false, StampJson::error_handler_t::replace) + "\n");
+}
+
+StampTaken::StampTaken(const Piece& piece) : piece_(piece), outputs_(linesOfOutputs(piece)) {
+  if (const auto text = wholeText(stampFile(piece), mostStampBytes, "a stamp")) text_ = *text;
+  std::error_code ignored;
+  fs::remove(stampFile(piece), ignored);
+}
+
+void StampTaken::giveBack() const {
+  if (!text_.empty() && linesOfOutputs(piece_) == outputs_)
+    static_cast<void>(writeWholeFile(stampFile(piece_), text_));
 }
 
 }  // namespace volumen

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "app/batch/piece.h"
 #include "viewer/volume/cancel.h"
@@ -14,10 +16,10 @@ std::string stampFile(const Piece& piece);
 
 /// Makes the stamps of pieces. A stamp holds the version of the program, the command line, and names, sizes
 /// and times of all files that are read, including scenes, shapes and the user's presets. A study of an
-/// archive counts by its name alone.
+/// archive counts by its name alone. The limit of memory counts too, as it may reduce what is drawn.
 class Stamps {
  public:
-  explicit Stamps(const CancelToken& cancel) : cancel_(cancel) {}
+  Stamps(std::uint64_t mostBytes, const CancelToken& cancel) : mostBytes_(mostBytes), cancel_(cancel) {}
 
   /// Returns the stamp of a piece, without its outputs. Files of a path are listed once.
   std::string of(const Piece& piece);
@@ -25,6 +27,7 @@ class Stamps {
  private:
   const std::string& filesAt(const std::string& path);
 
+  std::uint64_t mostBytes_;
   CancelToken cancel_;
   std::map<std::string, std::string> known_;  // hashes of files, by path
 };
@@ -33,8 +36,35 @@ class Stamps {
 /// sizes that they had.
 bool isDone(const Piece& piece, const std::string& stamp);
 
-/// Writes the stamp of a piece whose outputs are there; a folder is still at `aside`. The Error: an output is
-/// missing, or the stamp cannot be written.
-Status writeStamp(const Piece& piece, const std::string& stamp, const std::string& aside = {});
+/// Returns whether the stamp file of a piece names an output: an earlier run made it.
+bool isStamped(const Piece& piece, const std::string& output);
+
+/// How a piece ended whose outputs are there.
+struct StampedEnd {
+  int exitStatus = 0;
+  std::vector<std::string> warnings{};  ///< sentences
+};
+/// Returns what the stamp file of a piece says of it.
+StampedEnd stampedEnd(const Piece& piece);
+
+/// What is still aside, by the names that it gets.
+using FilesAside = std::map<std::string, std::string>;
+
+/// Writes the stamp of a piece whose outputs are there; in place of the first, those that are still aside.
+/// The Error: an output is missing, or the stamp cannot be written.
+Status writeStamp(const Piece& piece, const std::string& stamp, const StampedEnd& end,
+                  const FilesAside& aside = {});
+
+/// Takes the stamp file of a piece away, so that whoever is killed leaves none.
+class StampTaken {
+ public:
+  explicit StampTaken(const Piece& piece);
+  /// Puts it back, unless an output has changed since.
+  void giveBack() const;
+
+ private:
+  Piece piece_;
+  std::string text_, outputs_;
+};
 
 }  // namespace volumen

@@ -1,11 +1,13 @@
 #include <unistd.h>
 
+#include <charconv>
 #include <iostream>
 #include <iterator>
 #include <memory>
 
 #include "app/batch/gather.h"
 #include "app/batch/list_from_index.h"
+#include "app/batch/list_names.h"
 #include "app/batch/run_list.h"
 #include "app/command.h"
 #include "app/index_option.h"
@@ -29,6 +31,15 @@ Result<std::string> textOfList(const std::string& path) {
   return std::string(std::istreambuf_iterator<char>(std::cin), {});
 }
 
+// Returns why a process cannot work with so many bytes; empty: it can. Negative numbers are read as huge
+// ones.
+std::string problemOfMemory(const std::string& bytes) {
+  constexpr std::uint64_t least = 64 << 20, most = std::uint64_t(1) << 60;
+  std::uint64_t number = 0;
+  std::from_chars(bytes.data(), bytes.data() + bytes.size(), number);
+  return number < least || number > most ? "a process needs 64M or more." : "";
+}
+
 Status checkBatch(const BatchOptions& options, Shard shard) {
   if (options.typed.empty() != options.words.empty())
     return Error{"--from-index and --do make a list together: give both."};
@@ -41,8 +52,9 @@ Status checkBatch(const BatchOptions& options, Shard shard) {
 }
 
 int makeList(const BatchOptions& options, const CommandLine& commands) {
-  const auto list = listFromIndex(options.words, options.typed, options.index, commands);
-  if (!list) return fail(list.message());
+  bool isMistyped = false;
+  const auto list = listFromIndex(options.words, options.typed, options.index, commands, isMistyped);
+  if (!list) return isMistyped ? failUsage(list.message()) : fail(list.message());
   std::cout << *list;
   return exitDone;
 }
@@ -64,6 +76,8 @@ int run(const BatchOptions& options, const CancelToken& cancel) {
   if (!text) return fail(text.message());
   const auto pieces = readPieces(*text, commands);
   if (!pieces) return failUsage(pieces.message());
+  if (Status s = checkNames(*pieces, options.list, options.gathered, cancel); !s)
+    return failUsage(s.message());
   worker::stop();  // each process of a piece has its own
   const ListResult result = runList(dealt(*pieces, *shard), options.limits, cancel);
   const int status = statusOf(result);
@@ -85,8 +99,9 @@ std::function<int()> makeBatch(CLI::App& app, const CancelToken& cancel) {
                  "Do the I-th of N parts of the list (default: that of the Slurm array, else all)")
       ->type_name("I/N");
   app.add_option("--max-memory", options->limits.bytes,
-                 "Memory that a piece of work may take, such as 4G (default: all there is)")
+                 "Memory that a piece of work may take, such as 4G, at least 64M (default: all there is)")
       ->transform(CLI::AsSizeValue(false).description(""))
+      ->check(CLI::Validator(problemOfMemory, ""))
       ->type_name("BYTES");
   number(app.add_option("--timeout", options->limits.seconds,
                         "Seconds that a piece of work may take (default: as long as it takes)")

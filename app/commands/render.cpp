@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/command.h"
+#include "app/output_names.h"
 #include "app/picture_output.h"
 #include "app/scene_to_draw.h"
 #include "app/usage.h"
@@ -96,14 +97,6 @@ Status writePicture(const Rendered& done, const PictureText& text, const std::ve
   return writePictureWithWarnings(imageForFile(done.picture), text, warnings, warningLine, path);
 }
 
-// Returns "head-007.png" for "head.png" and 7.
-std::string numbered(const std::string& path, int n) {
-  const std::size_t dot = path.rfind('.');
-  char number[16];
-  std::snprintf(number, sizeof number, "-%03d", n);
-  return path.substr(0, dot) + number + path.substr(dot);
-}
-
 class Run {
  public:
   Run(const RenderArguments& options, const CancelToken& cancel) : options_(options), cancel_(cancel) {}
@@ -121,6 +114,7 @@ class Run {
     if (Status s = checkOutputs(); !s) return fail(s.message());
     auto drawn = SceneToDraw::load(how, *asked, cancel_);
     if (!drawn) return fail(drawn.message(), cancel_);
+    if (Status s = checkApart(outputs(options_.turntable), drawn->series.files); !s) return fail(s.message());
     times_.loadMs = wallMs() - begin;
     const Status fits = drawn->fitToMemory(how.path, asked->options);
     printNotes(drawn->notes);
@@ -143,14 +137,23 @@ class Run {
     return named ? 0 : failUsage(named.message());
   }
 
-  // Checks that all outputs can be written.
+  std::vector<std::string> outputs(int pictures) const {
+    std::vector<std::string> all;
+    if (!options_.output.empty() && options_.turntable == 0) all.push_back(options_.output);
+    for (int n = 0; !options_.output.empty() && n < pictures; ++n)
+      all.push_back(numberedName(options_.output, n));
+    for (const std::string& path : {options_.statsFile, options_.errorMap})
+      if (!path.empty()) all.push_back(path);
+    return all;
+  }
+
+  // Checks that all outputs can be written, and that no two are one.
   Status checkOutputs() const {
-    const std::string picture =
-        options_.turntable && !options_.output.empty() ? numbered(options_.output, 0) : options_.output;
-    for (const std::string& path : {picture, options_.statsFile, options_.errorMap}) {
-      if (path.empty()) continue;
+    const std::vector<std::string> written = outputs(options_.turntable);
+    const std::vector<std::string> read = {options_.drawn.path, options_.drawn.scene.sceneFile};
+    if (Status s = checkApart(written, read); !s) return s;
+    for (const std::string& path : outputs(std::min(1, options_.turntable)))
       if (auto file = OutputFile::create(path); !file) return file.error();
-    }
     return {};
   }
 
@@ -164,7 +167,7 @@ class Run {
       if (options_.output.empty() && options_.statsFile.empty()) return settle(*plan, drawn.caches());
       if (const int failed = drawFrames(*plan, drawn.caches())) return failed;
       if (options_.output.empty()) continue;
-      const std::string path = options_.turntable ? numbered(options_.output, n) : options_.output;
+      const std::string path = options_.turntable ? numberedName(options_.output, n) : options_.output;
       const Status written =
           writePicture(done_, drawn.textOf(done_), drawn.warnings, !options_.noWarningLine, path);
       if (!written) return fail(written.message());

@@ -1,3 +1,4 @@
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -6,11 +7,13 @@
 #include "app/command.h"
 #include "app/commands/slice_frame.h"
 #include "app/open_volume.h"
+#include "app/output_names.h"
 #include "app/picture_output.h"
 #include "app/plane_options.h"
 #include "app/slice_picture.h"
 #include "app/usage.h"
 #include "io/files/output_file.h"
+#include "io/paths/open_path.h"
 #include "viewer/slice/slice.h"
 
 namespace volumen {
@@ -42,10 +45,23 @@ Status writeValues(const Volume& volume, const SlicePlane& plane, const std::str
   return out->commit();
 }
 
+// Protects all files that are read.
+Status checkApartFrom(const SliceOptions& options, std::vector<std::string> read) {
+  if (options.output.empty()) return {};
+  for (const std::string& path :
+       {options.path, options.presentation, options.overlay.path, options.relation.session})
+    read.push_back(path);
+  return checkApart({&options.output, 1}, read);
+}
+
 Status writeSlice(const SlicePlane& plane, const Opened& opened, const SliceOptions& options,
                   const std::optional<Window>& window, const std::optional<Overlay>& overlay,
                   const CancelToken& cancel) {
   if (Status s = checkPlane(plane); !s) return s;  // checks before memory for its pixels is taken
+  std::vector<std::string> read = opened.series.files;
+  if (overlay)
+    read.insert(read.end(), overlay->opened.series.files.begin(), overlay->opened.series.files.end());
+  if (Status s = checkApartFrom(options, std::move(read)); !s) return s;
   if (isFloatPicture(options.output)) return writeValues(*opened.loaded.drawn, plane, options.output, cancel);
   auto picture = slicePicture(opened, plane, window, overlay, cancel);
   if (!picture) return picture.error();
@@ -87,6 +103,26 @@ Status checkUsage(const SliceOptions& options, const AskedPlane& asked) {
   return checkPlane(plane);
 }
 
+// Checks that the output can be written, before anything is read.
+Status checkSliceOutput(const SliceOptions& options) {
+  if (options.output.empty()) return {};
+  if (Status s = checkApartFrom(options, {}); !s) return s;
+  const auto file = OutputFile::create(options.output);
+  return file ? Status() : Status(file.error());
+}
+
+int drawFrame(const SliceOptions& options, const std::optional<Window>& window, const CancelToken& cancel) {
+  std::error_code ignored;
+  if (std::filesystem::exists(options.output, ignored)) {
+    const auto files = filesOfPath(options.path, {}, cancel);
+    if (!files) return fail(files.message(), cancel);
+    if (Status s = checkApartFrom(options, *files); !s) return fail(s.message());
+  }
+  return sliceFrame({options.path, options.series, options.output, options.plane.index, window,
+                     options.presentation, !options.noGraphics},
+                    cancel);
+}
+
 int run(const SliceOptions& options, const CancelToken& cancel) {
   const PlaneOptions& how = options.plane;
   const auto asked = readPlane(how);
@@ -94,12 +130,8 @@ int run(const SliceOptions& options, const CancelToken& cancel) {
   const auto window = windowOf(options.window);
   if (!window) return failUsage(window.message());
   if (Status s = checkUsage(options, *asked); !s) return failUsage(s.message());
-  if (!options.output.empty())
-    if (auto file = OutputFile::create(options.output); !file) return fail(file.message());
-  if (how.plane == acquiredPlane)
-    return sliceFrame({options.path, options.series, options.output, how.index, *window, options.presentation,
-                       !options.noGraphics},
-                      cancel);
+  if (Status s = checkSliceOutput(options); !s) return fail(s.message());
+  if (how.plane == acquiredPlane) return drawFrame(options, *window, cancel);
   auto opened = openVolume(options.path, options.series, cancel);
   if (!opened) return fail(opened.message(), cancel);
   noteEvenSlices(how, *opened);

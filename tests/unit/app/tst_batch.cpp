@@ -1,4 +1,5 @@
 // Guards `volumen batch`: every piece of a list is done as by hand, in one of any number of programs.
+#include <QElapsedTimer>
 #include <QRandomGenerator>
 
 #include "tests/unit/app/batch_case.h"
@@ -18,6 +19,8 @@ class TestBatch : public QObject {
   void shardsDoEachPieceOnce();
   void slurmTasksAreShards_data();
   void slurmTasksAreShards();
+  void manyShardsTakeNoTime();
+  void pathsMayBeginWithADash();
   void tablesAreGathered();
   void listsAreMadeOfTheIndex();
 };
@@ -35,7 +38,30 @@ void TestBatch::badListsAreRefusedAtOnce_data() {
       "\"command\" is none of");
   row("no path", R"({"command": "render", "output": "b"})", "\"path\" is missing");
   row("an empty path", R"({"command": "render", "path": "", "output": "b"})", "\"path\" is not a text");
-  row("no paths", R"({"command": "render", "path": [], "output": "b"})", "\"path\" is empty");
+  row("several paths", R"({"command": "measure", "path": ["a", "b"], "output": "b"})",
+      "\"path\" is not a text");
+  row("a NUL in a path", R"({"command": "info", "path": "a\u0000b", "output": "b"})",
+      "\"path\" holds the character NUL");
+  row("a NUL in a list", R"({"command": "render", "path": "a", "output": "b", "size": ["1\u0000"]})",
+      "\"size\" holds the character NUL");
+  row("an empty output", R"({"command": "info", "path": "a", "output": ""})", "\"output\" is not a text");
+  row("a list as output", R"({"command": "info", "path": "a", "output": []})", "\"output\" is not a text");
+  row("the root as output", R"({"command": "convert", "path": "a", "output": "/"})",
+      "\"output\" is not the name of a file");
+  const QByteArray deep = QByteArray(1000000, '[') + QByteArray(1000000, ']');
+  QTest::newRow("deep lists")
+      << QByteArray(R"({"command": "render", "path": "a", "output": "b", "series": )" + deep + '}')
+      << QByteArray("\"series\" holds a list in a list");
+  row("help", R"({"command": "info", "path": "a", "output": "b", "help": true})",
+      "--help is no part of a piece of work");
+  row("a list of presets", R"({"command": "render", "path": "a", "output": "b", "list-presets": true})",
+      "--list-presets is no part of a piece of work");
+  row("true where a value is needed", R"({"command": "render", "path": "a", "output": "b", "size": true})",
+      "\"size\" needs a value");
+  row("a value of a flag", R"({"command": "info", "path": "a", "output": "b", "json": "yes"})",
+      "\"json\" is a flag");
+  row("a key that is there twice", R"({"command": "info", "path": "a", "path": "c", "output": "b"})",
+      "\"path\" is there twice");
   row("no output", R"({"command": "render", "path": "a"})", "\"output\" is missing");
   row("an unknown option", R"({"command": "render", "path": "a", "output": "b", "colour": 1})",
       "volumen render has no option --colour");
@@ -74,7 +100,11 @@ void TestBatch::badUseIsSaid_data() {
   row("batch - --shard 2", "--shard is I/N");
   row("batch - --shard 1/3x", "--shard is I/N");
   row("batch - --shard 1/2 --gather a.csv", "--gather joins what all shards made");
+  row("batch - --shard 1/1000001", "--shard has 1000001 parts: give at most 1000000.");
   row("batch - --max-memory much", "--max-memory");
+  row("batch - --max-memory 63M", "--max-memory: a process needs 64M or more.");
+  row("batch - --max-memory 0", "--max-memory: a process needs 64M or more.");
+  row("batch - --max-memory -1", "--max-memory");
   row("batch --do render", "give both");
   row("batch - --from-index ct --do render", "Give a list of work, or");
 }
@@ -176,6 +206,29 @@ void TestBatch::shardsDoEachPieceOnce() {
   }
 }
 
+void TestBatch::manyShardsTakeNoTime() {
+  const BatchFolder folder;
+  QByteArray list;
+  for (int n = 0; n < 5000; ++n)
+    list += "{\"command\":\"info\",\"path\":\"p" + QByteArray::number(n) + "\",\"output\":\"" +
+            QByteArray::number(n) + ".txt\"}\n";
+  folder.write(QStringLiteral("jobs"), list);
+  QElapsedTimer timer;
+  timer.start();
+  const Outcome a = folder.batch({QStringLiteral("--shard"), QStringLiteral("1000000/1000000")});
+  QVERIFY2(a.status == 0 && a.out.isEmpty(), a.err);
+  QVERIFY2(timer.elapsed() < 20000, qPrintable(QString::number(timer.elapsed())));
+}
+
+void TestBatch::pathsMayBeginWithADash() {
+  const BatchFolder folder;
+  const QString volume = QStringLiteral("-v.nrrd");
+  QCOMPARE(runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, folder.at(volume))).status, 0);
+  folder.write(QStringLiteral("jobs"), listOf({smallPicture(QStringLiteral("a.png"), volume)}));
+  const Outcome a = folder.batch();
+  QVERIFY2(a.status == 0, a.out + a.err);
+}
+
 void TestBatch::slurmTasksAreShards_data() {
   QTest::addColumn<QByteArrayList>("values");  // ID, COUNT, MIN, STEP
   QTest::addColumn<int>("line");               // 0: refused
@@ -255,7 +308,7 @@ void TestBatch::listsAreMadeOfTheIndex() {
            one[QStringLiteral("csv")].toString().chopped(4));
   for (const char* wrong : {"segment --colour 1", "paint", "segment --csv", "segment --csv a b"}) {
     const Outcome b = list(QStringLiteral("ct"), QString::fromLatin1(wrong));
-    QVERIFY2(b.status == 1 && b.out.isEmpty() && b.err.contains("--do"), b.err);
+    QVERIFY2(b.status == 2 && b.out.isEmpty() && b.err.contains("--do"), b.err);
   }
   QVERIFY(list(QStringLiteral("nobody"), QStringLiteral("render -o {out}.png"))
               .err.contains("No study of the index"));

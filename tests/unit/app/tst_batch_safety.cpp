@@ -1,8 +1,7 @@
-// Guards `volumen batch` against everything that ends a piece of work or the program, and against stamps that
-// no longer hold: what is there is whole, and the next run does the rest.
+// Guards `volumen batch` against everything that ends a piece of work or the program: what is there is whole,
+// and the next run does the rest.
 #include <signal.h>
 
-#include <QDateTime>
 #include <QRandomGenerator>
 #include <QScopeGuard>
 
@@ -35,8 +34,6 @@ void startWithSlowPiece(const BatchFolder& folder, QProcess& process) {
 class TestBatchSafety : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void stampsThatNoLongerHoldAreDoneAgain_data();
-  void stampsThatNoLongerHoldAreDoneAgain();
   void aPoisonedPieceCostsItsLine();
   void aKilledProcessCostsItsLine();
   void littleMemoryIsSaid();
@@ -49,64 +46,6 @@ class TestBatchSafety : public QObject {
   void otherFoldersStay();
   void aFullDiskIsSaid();
 };
-
-void TestBatchSafety::stampsThatNoLongerHoldAreDoneAgain_data() {
-  QTest::addColumn<QString>("change");
-  for (const char* change : {"another input", "a newer input", "another scene", "another option", "no output",
-                             "half an output", "another version", "no stamp", "a broken stamp"})
-    QTest::newRow(change) << QString::fromLatin1(change);
-}
-
-void TestBatchSafety::stampsThatNoLongerHoldAreDoneAgain() {
-  QFETCH(QString, change);
-  const BatchFolder folder;
-  const QString input = QStringLiteral("in.nrrd"), output = QStringLiteral("out.png");
-  QCOMPARE(runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, folder.at(input))).status, 0);
-  QCOMPARE(runProgram(QStringLiteral("render %1 --size 32x32 -o %2")
-                          .arg(smallHead, folder.at(QStringLiteral("scene.png"))))
-               .status,
-           0);
-  QJsonObject one = smallPicture(output, input);
-  one[QStringLiteral("scene")] = QStringLiteral("scene.png");
-  folder.write(QStringLiteral("jobs"), listOf({one}));
-  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
-  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
-  const QByteArray before = folder.contents(output);
-  const QString stamp = output + QStringLiteral(".volumen-stamp");
-  if (change == QLatin1String("another input")) {
-    QFile::remove(folder.at(input));
-    QCOMPARE(runProgram(QStringLiteral("convert phantom:ct-head:24 -o %1").arg(folder.at(input))).status, 0);
-  } else if (change == QLatin1String("a newer input")) {
-    QFile file(folder.at(input));
-    QVERIFY(file.open(QIODevice::ReadWrite));
-    QVERIFY(file.setFileTime(QDateTime::currentDateTime().addDays(1), QFileDevice::FileModificationTime));
-  } else if (change == QLatin1String("another scene")) {
-    QCOMPARE(runProgram(QStringLiteral("render %1 --preset CT-Bone --size 32x32 -o %2")
-                            .arg(smallHead, folder.at(QStringLiteral("scene.png"))))
-                 .status,
-             0);
-  } else if (change == QLatin1String("another option")) {
-    one[QStringLiteral("size")] = QStringLiteral("33x32");
-    folder.write(QStringLiteral("jobs"), listOf({one}));
-  } else if (change == QLatin1String("no output")) {
-    QVERIFY(QFile::remove(folder.at(output)));
-  } else if (change == QLatin1String("half an output")) {
-    QVERIFY(QFile::resize(folder.at(output), before.size() / 2));
-  } else if (change == QLatin1String("another version")) {
-    folder.write(stamp, folder.contents(stamp).replace("\"version\":\"", "\"version\":\"0"));
-  } else if (change == QLatin1String("no stamp")) {
-    QVERIFY(QFile::remove(folder.at(stamp)));
-  } else {
-    folder.write(stamp, "{\"made\":");
-  }
-  const Outcome a = folder.batch();
-  QVERIFY2(a.status == 0, a.out + a.err);
-  QCOMPARE(endsIn(a.out), all(1, QStringLiteral("done")));
-  const bool isOther = change == QLatin1String("another input") || change == QLatin1String("another scene") ||
-                       change == QLatin1String("another option");
-  QCOMPARE(folder.contents(output) != before, isOther);
-  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
-}
 
 void TestBatchSafety::aPoisonedPieceCostsItsLine() {
   const BatchFolder folder;

@@ -1,0 +1,177 @@
+// Guards what is read against what is written: `volumen batch`, render and slice replace no source, no list
+// and nothing that another piece writes.
+#include "tests/unit/app/batch_case.h"
+#include "tests/unit/suite.h"
+
+using namespace volumen::tests;
+
+class TestBatchNames : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void whatIsReadStays_data();
+  void whatIsReadStays();
+  void tablesReplaceNothing_data();
+  void tablesReplaceNothing();
+  void newFilesInSourceFoldersAreDoneAgain();
+  void whatIsReadStaysByHand_data();
+  void whatIsReadStaysByHand();
+};
+
+namespace {
+
+const QString firstSlice = QStringLiteral("src/slice-00001.dcm");
+
+// Makes a series in the folder "src", a volume and shapes.
+void fillSources(const BatchFolder& folder) {
+  for (const QString& name : {QStringLiteral("src/"), QStringLiteral("v.nrrd")})
+    QCOMPARE(runProgram(QStringLiteral("convert phantom:ct-head:16 -o %1").arg(folder.at(name))).status, 0);
+  folder.write(QStringLiteral("roi.json"), R"([{"kind": "length", "points": [[0, 0, 0], [0, 30, 0]]}])");
+  folder.write(QStringLiteral("src/t.csv"), "a,b\n1,2\n");
+  QVERIFY(QFile::link(folder.at(firstSlice), folder.at(QStringLiteral("link.nrrd"))));
+}
+
+// Returns the bytes of all files that a run must leave as they are.
+QByteArray sourceBytes(const BatchFolder& folder) {
+  return folder.contents(firstSlice) + folder.contents(QStringLiteral("v.nrrd")) +
+         folder.contents(QStringLiteral("roi.json")) + folder.contents(QStringLiteral("src/t.csv")) +
+         folder.contents(QStringLiteral("jobs"));
+}
+
+}  // namespace
+
+void TestBatchNames::whatIsReadStays_data() {
+  QTest::addColumn<QByteArray>("list");
+  QTest::addColumn<QByteArray>("said");
+  const auto row = [](const char* name, const char* list, const char* said) {
+    QTest::newRow(name) << QByteArray(list) << QByteArray(said);
+  };
+  row("a file of a source folder", R"({"command": "info", "path": "src", "output": "src/slice-00001.dcm"})",
+      "Line 1 of the list: it writes src/slice-00001.dcm, which line 1 reads");
+  row("a source by another spelling", R"({"command": "info", "path": "v.nrrd", "output": "src/../v.nrrd"})",
+      "it writes src/../v.nrrd, which line 1 reads");
+  row("a link to a source", R"({"command": "info", "path": "src", "output": "link.nrrd"})",
+      "it writes link.nrrd, which line 1 reads");
+  row("a file of an option",
+      R"({"command": "measure", "path": "v.nrrd", "roi": "roi.json", "output": "roi.json"})",
+      "it writes roi.json, which line 1 reads");
+  row("times onto a source",
+      R"({"command": "render", "path": "src", "output": "a.png", "stats": "src/slice-00001.dcm"})",
+      "it writes src/slice-00001.dcm, which line 1 reads");
+  row("an error map onto a source",
+      R"({"command": "render", "path": "src", "output": "a.png", "error-map": "src/slice-00001.dcm"})",
+      "it writes src/slice-00001.dcm, which line 1 reads");
+  row("the list", R"({"command": "info", "path": "src", "output": "./jobs"})",
+      "it writes ./jobs, which is the list itself");
+  row("a source of another line",
+      "{\"command\": \"info\", \"path\": \"src\", \"output\": \"v.nrrd\"}\n"
+      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"b\"}",
+      "Line 1 of the list: it writes v.nrrd, which line 2 reads");
+  row("a folder that holds a source",
+      R"({"command": "convert", "path": "src/slice-00001.dcm", "output": "src/"})",
+      "it writes src, the folder of a file that line 1 reads");
+  row("a file in a folder of another line",
+      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"o/a\"}\n"
+      "{\"command\": \"convert\", \"path\": \"v.nrrd\", \"output\": \"o/\"}",
+      "Line 1 of the list: it writes o/a, in the folder that line 2 writes");
+  row("the table of label images",
+      "{\"command\": \"segment\", \"path\": \"v.nrrd\", \"range\": \"1:\", \"output\": \"s.nii.gz\"}\n"
+      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"s.label\"}",
+      "Line 2 of the list: it writes s.label, as line 1 does");
+  row("a picture of a turn",
+      "{\"command\": \"render\", \"path\": \"v.nrrd\", \"turntable\": 3, \"output\": \"t.png\"}\n"
+      "{\"command\": \"render\", \"path\": \"v.nrrd\", \"output\": \"t-002.png\"}",
+      "Line 2 of the list: it writes t-002.png, as line 1 does");
+  row("a stamp of another line",
+      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"b\"}\n"
+      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"b.volumen-stamp\"}",
+      "Line 2 of the list: it writes b.volumen-stamp, as line 1 does");
+}
+
+void TestBatchNames::whatIsReadStays() {
+  QFETCH(QByteArray, list);
+  QFETCH(QByteArray, said);
+  const BatchFolder folder;
+  fillSources(folder);
+  folder.write(QStringLiteral("jobs"), list + '\n');
+  const QByteArray before = sourceBytes(folder);
+  const QStringList files = folder.files();
+  const Outcome a = folder.batch();
+  QCOMPARE(a.status, 2);
+  QVERIFY2(a.err.contains(said) && a.out.isEmpty(), a.err);
+  QVERIFY(sourceBytes(folder) == before);
+  QCOMPARE(folder.files(), files);
+}
+
+void TestBatchNames::tablesReplaceNothing_data() {
+  QTest::addColumn<QString>("table");
+  QTest::addColumn<QByteArray>("said");
+  const auto row = [](const char* table, const char* said) {
+    QTest::newRow(table) << QString::fromLatin1(table) << QByteArray(said);
+  };
+  row("jobs", "which is the list itself");
+  row("src/slice-00001.dcm", "which line 1 reads");
+  row("src/t.csv", "which line 1 reads");
+  row("a.csv", "which line 1 writes");
+  row("a.csv.volumen-stamp", "which line 1 writes");
+}
+
+void TestBatchNames::tablesReplaceNothing() {
+  QFETCH(QString, table);
+  QFETCH(QByteArray, said);
+  const BatchFolder folder;
+  fillSources(folder);
+  folder.write(QStringLiteral("jobs"),
+               R"({"command": "segment", "path": "src", "range": "1:", "csv": "a.csv"})"
+               "\n");
+  const QByteArray before = sourceBytes(folder);
+  const Outcome a = folder.batch({QStringLiteral("--gather"), table});
+  QCOMPARE(a.status, 2);
+  QVERIFY2(a.err.contains("--gather " + table.toLatin1()) && a.err.contains(said) && a.out.isEmpty(), a.err);
+  QVERIFY(sourceBytes(folder) == before && !QFile::exists(folder.at(QStringLiteral("a.csv"))));
+}
+
+void TestBatchNames::newFilesInSourceFoldersAreDoneAgain() {
+  const BatchFolder folder;
+  fillSources(folder);
+  folder.write(QStringLiteral("jobs"),
+               listOf({smallPicture(QStringLiteral("src/a.png"), QStringLiteral("src"))}));
+  for (int n = 0; n < 2; ++n) {
+    const Outcome a = folder.batch();
+    QVERIFY2(a.status == 0, a.out + a.err);
+  }
+}
+
+void TestBatchNames::whatIsReadStaysByHand_data() {
+  QTest::addColumn<QString>("command");
+  QTest::addColumn<QByteArray>("said");
+  const auto row = [](const char* name, const char* command,
+                      const char* said = "it is a file that is read; choose another name.") {
+    QTest::newRow(name) << QString::fromLatin1(command) << QByteArray(said);
+  };
+  row("a picture over its volume", "render v.nrrd -o v.nrrd --size 16x16");
+  row("times over a source", "render src --stats src/slice-00001.dcm -o a.png --size 16x16");
+  row("an error map over a source", "render src --error-map link.nrrd -o a.png --size 16x16");
+  row("two outputs that are one", "render v.nrrd --error-map b.nrrd -o ./b.nrrd --size 16x16",
+      "another file of this command has this name.");
+  row("a slice over its volume", "slice v.nrrd -o src/../v.nrrd");
+  row("a slice over a file of its folder", "slice src -o link.nrrd");
+  row("a frame over its file", "slice src --plane frame -o link.nrrd");
+  row("a slice over its overlay", "slice src --overlay v.nrrd -o v.nrrd");
+}
+
+void TestBatchNames::whatIsReadStaysByHand() {
+  QFETCH(QString, command);
+  QFETCH(QByteArray, said);
+  const BatchFolder folder;
+  fillSources(folder);
+  const QByteArray before = sourceBytes(folder);
+  const Outcome a = runProgramIn(folder.at({}), command.split(QLatin1Char(' ')));
+  QCOMPARE(a.status, 1);
+  QVERIFY2(a.err.contains(said), a.err);
+  QVERIFY(sourceBytes(folder) == before);
+  QVERIFY(!QFile::exists(folder.at(QStringLiteral("a.png"))) &&
+          !QFile::exists(folder.at(QStringLiteral("b.nrrd"))));
+}
+
+VOLUMEN_TEST(TestBatchNames);
+#include "tst_batch_names.moc"
