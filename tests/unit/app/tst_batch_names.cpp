@@ -156,7 +156,6 @@ void TestBatchNames::whatIsReadStaysByHand_data() {
   row("a slice over its volume", "slice v.nrrd -o src/../v.nrrd");
   row("a slice over a file of its folder", "slice src -o link.nrrd");
   row("a frame over its file", "slice src --plane frame -o link.nrrd");
-  row("a slice over its overlay", "slice src --overlay v.nrrd -o v.nrrd");
 }
 
 void TestBatchNames::whatIsReadStaysByHand() {
