@@ -8,6 +8,13 @@ using namespace volumen::tests;
 
 namespace {
 
+// An unlit scene of 16-bit values whose gradient opacity rises within `width`.
+void setRamp(Asked& a, double width) {
+  a.facts.range = {-32768, 32767};
+  a.scene.shading.lit = false;
+  a.scene.transferFunction.gradientOpacity = {{1000, 0}, {1000 + width, 1}, {9000, 1}};
+}
+
 // Values are unsigned, and the stored value of density 0 is far from the rise.
 void narrowRise(Asked& a) {
   a.facts.densityZero = 32768;
@@ -123,17 +130,12 @@ void TestRules::aRuleSaysWhatAndWhy_data() {
     a.scene.shading.gradientFloor = 10;
     a.scene.shading.lit = false;
   });
-  const auto steep = [](double width) {
-    return [width](Asked& a) {
-      a.facts.range = {-32768, 32767};
-      a.scene.shading.lit = false;
-      a.scene.transferFunction.gradientOpacity = {{1000, 0}, {1000 + width, 1}, {9000, 1}};
-    };
-  };
   row("a ramp of gradient opacity is wide beside roundings of gradients", "precision",
-      "on 16 bits integers exactly", steep(4000));
-  row("a steep one is not", "precision", "on 32 bits 16 bits gradients coarse extreme", steep(10));
-  row("nor is a step", "precision", "on 32 bits 16 bits gradients coarse extreme", steep(0));
+      "on 16 bits integers exactly", [](Asked& a) { setRamp(a, 4000); });
+  row("a steep one is not", "precision", "on 32 bits 16 bits gradients coarse extreme",
+      [](Asked& a) { setRamp(a, 10); });
+  row("nor is a step", "precision", "on 32 bits 16 bits gradients coarse extreme",
+      [](Asked& a) { setRamp(a, 0); });
   row("gradients of zeros and ones are exact", "precision", "on 16 bits integers exactly", [](Asked& a) {
     a.facts.range = {0, 1};
     a.facts.p01 = 0;
