@@ -86,7 +86,7 @@ Status MadeAside::move(const std::string& stamp, const StampedEnd& end) const {
   if (!files) return files.error();
   for (const auto& [name, file] : *files)
     if (isThere(name) && !isStamped(asked_, name))
-      return Error{name + " is there already, and no list made it: move it away."};
+      return Error{name + " is there already, and no list made it or all that it holds: move it away."};
   if (Status s = writeStamp(asked_, stamp, end, *files); !s) return s;
   for (const auto& [name, file] : *files)
     if (Status s = giveName(name, file); !s) return s;

@@ -10,6 +10,7 @@
 #include "app/printable.h"
 #include "app/version.h"
 #include "io/files/output_file.h"
+#include "io/deidentify/pseudonyms.h"
 #include "io/files/preset_files.h"
 #include "io/paths/open_path.h"
 #include "io/regular_file.h"
@@ -32,17 +33,26 @@ std::string lineOf(const fs::path& file) {
                  : file.string() + '\n' + std::to_string(bytes) + ' ' + std::to_string(time) + '\n';
 }
 
-// Returns the bytes of a file, or of all files in a folder; empty if there is none.
-std::optional<std::uintmax_t> sizeOfOutput(const std::string& name) {
+// Returns the bytes of a file, or of each file in a folder by its name there; null if there is none.
+StampJson bytesOf(const std::string& name) {
   std::error_code problem;
   if (!fs::is_directory(name, problem)) {
     const auto bytes = fs::file_size(name, problem);
-    return problem ? std::nullopt : std::optional(bytes);
+    return problem ? StampJson() : StampJson(bytes);
   }
-  std::uintmax_t bytes = 0;
+  StampJson files = StampJson::object();
   for (const fs::directory_entry& entry : fs::recursive_directory_iterator(name, problem))
-    if (entry.is_regular_file(problem)) bytes += entry.file_size(problem) + 1;
-  return bytes;
+    if (!entry.is_directory(problem))
+      files[fs::path(entry.path()).lexically_relative(name).string()] = entry.file_size(problem);
+  return files;
+}
+
+// Returns whether `bytes` names all files that `output` has now.
+bool namesAllOf(const std::string& output, const StampJson& bytes) {
+  const StampJson now = bytesOf(output);
+  return !now.is_object() || std::ranges::all_of(now.items(), [&](const auto& file) {
+    return bytes.is_object() && bytes.contains(file.key());
+  });
 }
 
 // Returns the files that an output became: itself, or a file for each segment (NAME-*.stl).
@@ -85,7 +95,7 @@ bool isStamped(const Piece& piece, const std::string& output) {
                   outputs = json.is_object() ? json.value("outputs", StampJson()) : json;
   const std::string place = placeOfFile(output);
   return outputs.is_object() && std::ranges::any_of(outputs.items(), [&](const auto& one) {
-           return placeOfFile(one.key()) == place;
+           return placeOfFile(one.key()) == place && namesAllOf(output, one.value());
          });
 }
 
@@ -110,6 +120,8 @@ std::string Stamps::of(const Piece& piece) {
     std::error_code ignored;
     if (!isWritten && (isStudyName(value) || fs::exists(value, ignored))) read.push_back(value);
   }
+  if (std::ranges::find(piece.words, "--deidentify") != piece.words.end() && userPseudonymKey())
+    read.push_back(userPseudonymKeyFile());
   StampJson words = StampJson::array(), files = StampJson::array();
   for (const std::string& word : piece.words) words.push_back(pathForJson(word));
   for (const std::string& path : read) files.push_back(filesAt(path));
@@ -126,8 +138,8 @@ bool isDone(const Piece& piece, const std::string& stamp) {
   const auto outputs = json.find("outputs");
   return outputs != json.end() && outputs->is_object() && !outputs->empty() &&
          std::ranges::all_of(outputs->items(), [](const auto& one) {
-           const auto bytes = sizeOfOutput(one.key());
-           return bytes && one.value() == *bytes;
+           const StampJson bytes = bytesOf(one.key());
+           return !bytes.is_null() && one.value() == bytes;
          });
 }
 
@@ -146,12 +158,12 @@ StampedEnd stampedEnd(const Piece& piece) {
 Status writeStamp(const Piece& piece, const std::string& stamp, const StampedEnd& end,
                   const FilesAside& aside) {
   StampJson outputs = StampJson::object();
-  for (const auto& [name, file] : aside) outputs[name] = sizeOfOutput(file).value_or(0);
+  for (const auto& [name, file] : aside) outputs[name] = bytesOf(file);
   for (const std::string& output : piece.outputs) {
     if (!aside.empty() && output == piece.outputs[0]) continue;
     const std::vector<std::string> files = filesOf(output);
     if (files.empty()) return Error{"It ended well, but " + output + " is not there."};
-    for (const std::string& file : files) outputs[file] = sizeOfOutput(file).value_or(0);
+    for (const std::string& file : files) outputs[file] = bytesOf(file);
   }
   const StampJson all = {{"made", StampJson::parse(stamp)},
                          {"exit", end.exitStatus},

@@ -32,11 +32,12 @@ class Stamps {
   std::map<std::string, std::string> known_;  // hashes of files, by path
 };
 
-/// Returns whether a piece is done: its stamp file has this stamp, and all its outputs are there with the
-/// sizes that they had.
+/// Returns whether a piece is done: its stamp file has this stamp, and all its outputs are there, folders
+/// with the same files, in the sizes that they had.
 bool isDone(const Piece& piece, const std::string& stamp);
 
-/// Returns whether the stamp file of a piece names an output: an earlier run made it.
+/// Returns whether the stamp file of a piece names an output, of a folder with each file in it: an earlier
+/// run made them all.
 bool isStamped(const Piece& piece, const std::string& output);
 
 /// How a piece ended whose outputs are there.

@@ -51,12 +51,13 @@ Result<std::string> pseudonymKeyIn(const std::string& path) {
   return key;
 }
 
+std::string userPseudonymKeyFile() { return configFolder() + "/deidentification.key"; }
+
 Result<std::string> userPseudonymKey() {
-  const std::string folder = configFolder();
-  const std::string path = folder + "/deidentification.key";
+  const std::string path = userPseudonymKeyFile();
   std::error_code ignored;
   if (std::filesystem::exists(path, ignored)) return pseudonymKeyIn(path);
-  if (Status made = makePrivateFolder(folder); !made) return made.error();
+  if (Status made = makePrivateFolder(configFolder()); !made) return made.error();
   const std::string key = randomKey();
   auto file = OutputFile::create(path);
   if (!file) return file.error();

@@ -25,6 +25,9 @@ class Pseudonyms {
   bool faceless_;
 };
 
+/// Returns the path of the file with the user's secret key, which may not be there yet.
+std::string userPseudonymKeyFile();
+
 /// Returns the user's secret key. Its file is among the settings and readable by the user alone; the first
 /// call makes it. The Error: the file can be neither read nor made.
 Result<std::string> userPseudonymKey();

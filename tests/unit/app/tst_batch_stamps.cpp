@@ -1,6 +1,7 @@
 // Guards the stamps of `volumen batch`: what is there and still right is skipped and told as before, all else
 // is done again, and what no list made stays.
 #include <QDateTime>
+#include <QScopeGuard>
 
 #include "tests/unit/app/batch_case.h"
 #include "tests/unit/suite.h"
@@ -13,7 +14,10 @@ class TestBatchStamps : public QObject {
   void stampsThatNoLongerHoldAreDoneAgain_data();
   void stampsThatNoLongerHoldAreDoneAgain();
   void exportsAreDoneAgain();
+  void anotherKeyGivesOtherNames();
   void otherFilesStay();
+  void otherFilesInFoldersStay();
+  void filesOfFoldersHaveTheirNames();
   void failuresKeepWhatIsThere();
   void lossesAreToldAgain();
 };
@@ -116,6 +120,25 @@ void TestBatchStamps::exportsAreDoneAgain() {
   QVERIFY(QFile::exists(folder.at(QStringLiteral("r.dcm.volumen-stamp"))));
 }
 
+void TestBatchStamps::anotherKeyGivesOtherNames() {
+  const BatchFolder folder;
+  const QByteArray before = qgetenv("XDG_CONFIG_HOME");
+  qputenv("XDG_CONFIG_HOME", folder.at(QStringLiteral("config")).toUtf8());
+  const auto back = qScopeGuard(
+      [&] { before.isNull() ? qunsetenv("XDG_CONFIG_HOME") : qputenv("XDG_CONFIG_HOME", before); });
+  QCOMPARE(
+      runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, folder.at(QStringLiteral("src/")))).status,
+      0);
+  folder.write(QStringLiteral("jobs"), listOf({piece(QStringLiteral("export"), QStringLiteral("d/"),
+                                                     {{QStringLiteral("path"), QStringLiteral("src/")},
+                                                      {QStringLiteral("deidentify"), true}})}));
+  for (const char* end : {"done", "skipped"})
+    QCOMPARE(endsIn(folder.batch().out), all(1, QLatin1String(end)));
+  QVERIFY(QFile::remove(folder.at(QStringLiteral("config/volumen/deidentification.key"))));
+  for (const char* end : {"done", "skipped"})
+    QCOMPARE(endsIn(folder.batch().out), all(1, QLatin1String(end)));
+}
+
 void TestBatchStamps::otherFilesStay() {
   const BatchFolder folder;
   folder.write(QStringLiteral("jobs"), listOf({reportPiece(folder)}));
@@ -125,6 +148,31 @@ void TestBatchStamps::otherFilesStay() {
   QVERIFY2(a.out.contains("is there already, and no list made it"), a.out);
   QCOMPARE(lineIn(a.out, 1)[QStringLiteral("exit")].toInt(), 1);
   QCOMPARE(folder.contents(QStringLiteral("r.dcm")), QByteArray("years of work"));
+}
+
+// The folder that a list made is done again, but not over what somebody put into it.
+void TestBatchStamps::otherFilesInFoldersStay() {
+  const BatchFolder folder;
+  const QString notes = QStringLiteral("d/notes.txt");
+  folder.write(QStringLiteral("jobs"), listOf({piece(QStringLiteral("convert"), QStringLiteral("d/"))}));
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
+  folder.write(notes, "mine");
+  const Outcome a = folder.batch();
+  QCOMPARE(a.status, 1);
+  QVERIFY2(a.out.contains("no list made it or all that it holds"), a.out);
+  QCOMPARE(folder.contents(notes), QByteArray("mine"));
+  QVERIFY(QFile::remove(folder.at(notes)));
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
+}
+
+void TestBatchStamps::filesOfFoldersHaveTheirNames() {
+  const BatchFolder folder;
+  const QString slice = QStringLiteral("d/slice-00001.dcm");
+  folder.write(QStringLiteral("jobs"), listOf({piece(QStringLiteral("convert"), QStringLiteral("d/"))}));
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
+  QVERIFY(QFile::remove(folder.at(slice)));
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
+  QVERIFY(QFile::exists(folder.at(slice)));
 }
 
 void TestBatchStamps::failuresKeepWhatIsThere() {
