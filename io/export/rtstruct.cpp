@@ -58,7 +58,8 @@ std::string contourData(const std::vector<glm::ivec2>& outline, const DicomSourc
 class RegionMaker {
  public:
   // `distance` is that of slices of the grid, in mm.
-  RegionMaker(const DicomSource& source, glm::ivec2 size, double distance) : source_(source), size_(size) {
+  RegionMaker(const DicomSource& source, glm::ivec2 size, double distance)
+      : source_(source), size_(size), distance_(distance) {
     const glm::dvec3 normal = glm::cross(place(0).right, place(0).down);
     std::vector<double> places;
     for (int slice = 0; slice < int(source.slices.size()); ++slice)
@@ -70,6 +71,8 @@ class RegionMaker {
   void add(const SegmentationFrames& frames, WrittenRegion& region) const {
     const std::vector<std::uint8_t> bits = frames.bits().bytes();
     std::vector<std::uint8_t> pixels(std::size_t(size_.x) * std::size_t(size_.y));
+    // Slices of the grid where one is missing stay empty when the contours are read.
+    const bool isUneven = !frames.slicesBetween().empty();
     int number = 0;
     for (std::size_t n = 0; n < frames.frames().size(); ++n) {
       const int slice = frames.frames()[n].slice;
@@ -77,7 +80,7 @@ class RegionMaker {
       for (const auto& outline : pixelOutlines(pixels, size_))
         append(region.contours, contour(outline, slice, ++number));
       region.mm3 += double(std::ranges::count(pixels, std::uint8_t(1))) * place(slice).mm.x *
-                    place(slice).mm.y * sharesMm_[std::size_t(slice)];
+                    place(slice).mm.y * (isUneven ? sharesMm_[std::size_t(slice)] : distance_);
     }
   }
 
@@ -106,6 +109,7 @@ class RegionMaker {
 
   const DicomSource& source_;
   glm::ivec2 size_;
+  double distance_;
   std::vector<double> sharesMm_;  // length along the normal that belongs to each slice
 };
 

@@ -135,7 +135,8 @@ void TestArchiveExport::orthancGivesEachBack() {
   OrthancPeer orthanc;
   QVERIFY(orthanc.start());
   const QTemporaryDir row;
-  const QString written = row.filePath(QStringLiteral("written")),
+  const bool isNamed = options.contains(QStringLiteral("SEGMENTS"));  // its name chooses the format
+  const QString written = row.filePath(isNamed ? QStringLiteral("written.dcm") : QStringLiteral("written")),
                 back = row.filePath(QStringLiteral("back"));
   const Outcome made = exported(orthanc.port(), at("scans"), options + QStringLiteral(" -o ") + written);
   QVERIFY2(made.status == 0, made.err);
