@@ -198,7 +198,11 @@ void TestDraggedPictures::noNamesLeaveWithoutIdentity() {
   series->series.path = "/home/doe/Doe-Jane.nii.gz";
   DragWindow w(series);
   QVERIFY(w.hasPictures());
-  w.session().prefer([](Preferences& p) { p.exportsWithoutIdentity = true; });
+  const auto leaveIdentity = [&](bool out) {
+    w.session().prefer([out](Preferences& p) { p.exportsWithoutIdentity = out; });
+  };
+  leaveIdentity(true);
+  const auto back = qScopeGuard([&] { leaveIdentity(false); });
   const Carried dragged = draggedOut(w.view(axialViewId));
   QVERIFY(dragged.data && !dragged.path().contains(QStringLiteral("Doe")));
   QVERIFY(dragged.file() != w.view(axialViewId)->capture());

@@ -65,9 +65,13 @@ void ViewPictures::dragOut(View* view) {
   const Series* series = seriesIn(session_.workspace(), view->id());
   if (!series) return;
   if (!view->hasItsPicture()) return warn(tr("The picture is still being drawn: drag it again in a moment."));
-  const HidingNames asExports(namesHidden() || session_.preferences().exportsWithoutIdentity);
-  const MadePicture picture = pictureOf(*view);
-  auto carried = dragged_.carry(picture, fileName(*series));
+  MadePicture picture;
+  QString name;
+  {
+    const HidingNames asExports(namesHidden() || session_.preferences().exportsWithoutIdentity);
+    picture = pictureOf(*view), name = fileName(*series);
+  }
+  auto carried = dragged_.carry(picture, name);
   if (!carried) return warn(QString::fromStdString(carried.message()));
   takeBack();
   auto* drag = new QDrag(view);
