@@ -56,7 +56,7 @@ std::string MadeAside::named(std::string text) const {
   return text;
 }
 
-// Returns all that lies in the place, by the names that it gets.
+// Returns the files and folders that were made, by the names that they get.
 Result<FilesAside> MadeAside::made() const {
   const fs::path parent = fs::path(bareName(asked_.outputs[0])).parent_path();
   FilesAside all;

@@ -36,11 +36,11 @@ class Stamps {
 /// with the same files, in the sizes that they had.
 bool isDone(const Piece& piece, const std::string& stamp);
 
-/// Returns whether the stamp file of a piece names an output, of a folder with each file in it: an earlier
-/// run made them all.
+/// Returns whether an earlier run made an output: the stamp file of the piece names it and, if it is a
+/// folder, each file in it.
 bool isStamped(const Piece& piece, const std::string& output);
 
-/// How a piece ended whose outputs are there.
+/// The exit status and the warnings of a finished piece.
 struct StampedEnd {
   int exitStatus = 0;
   std::vector<std::string> warnings{};  ///< sentences
@@ -48,15 +48,15 @@ struct StampedEnd {
 /// Returns what the stamp file of a piece says of it.
 StampedEnd stampedEnd(const Piece& piece);
 
-/// What is still aside, by the names that it gets.
+/// Files and folders that lie aside, by the names that they get.
 using FilesAside = std::map<std::string, std::string>;
 
-/// Writes the stamp of a piece whose outputs are there; in place of the first, those that are still aside.
+/// Writes the stamp of a finished piece. What still lies `aside` counts as its first output.
 /// The Error: an output is missing, or the stamp cannot be written.
 Status writeStamp(const Piece& piece, const std::string& stamp, const StampedEnd& end,
                   const FilesAside& aside = {});
 
-/// Takes the stamp file of a piece away, so that whoever is killed leaves none.
+/// Removes the stamp file of a piece while it is done again, so that a killed program leaves none.
 class StampTaken {
  public:
   explicit StampTaken(const Piece& piece);

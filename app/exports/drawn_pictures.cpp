@@ -69,7 +69,7 @@ Result<SliceStack> slicesOf(const ExportJob& job, SlicesDrawn which, const Asked
   return SliceStack{*plane, 1, 1};
 }
 
-// Draws picture `n` of a turn of `pictures`.
+// Draws picture `n` of a turn that has `pictures` of them.
 Status takeRendering(const SceneToDraw& drawn, const RenderOptions& options, int n, int pictures,
                      const PictureTaker& taker, const CancelToken& cancel) {
   const auto plan = drawn.plan(options, n, pictures);
@@ -92,7 +92,7 @@ Status takeTurn(const SceneToDraw& drawn, const RenderOptions& options, int pict
   return {};
 }
 
-// Returns the scene of a job, fit to memory.
+// Loads the scene of a job, with a reduced copy of its volume where memory is scarce.
 Result<SceneToDraw> sceneToDraw(const DrawnOptions& how, const AskedScene& asked, const CancelToken& cancel) {
   if (Status s = checkPlan(how.scene, asked.scene, asked.options); !s) return s.error();
   auto drawn = SceneToDraw::load(how, asked, cancel);
@@ -101,7 +101,7 @@ Result<SceneToDraw> sceneToDraw(const DrawnOptions& how, const AskedScene& asked
   return drawn;
 }
 
-// Draws a time point as `asked` has it.
+// Draws one time point by the scene in `asked`.
 Status takeTimePoint(const Series& step, const DrawnOptions& how, const AskedScene& asked,
                      const PictureTaker& taker, Exported& exported, const CancelToken& cancel) {
   auto opened = openSeries(step, cancel);

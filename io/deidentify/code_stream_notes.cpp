@@ -25,7 +25,8 @@ bool isAlone(std::uint16_t marker, bool isJpeg2000) {
   return isJpeg2000 ? marker >= 0xff30 && marker <= 0xff3f : isOfJpeg;
 }
 
-// Returns what is to be blanked of the segment at byte `at`; `length` counts itself.
+// Returns the bytes to overwrite in the segment at byte `at`. Its `length` includes the two bytes that say
+// it.
 std::optional<CodeStreamNote> noteOf(std::uint16_t marker, std::uint64_t at, std::size_t length,
                                      bool isJpeg2000) {
   constexpr std::size_t markerBytes = 2, lengthBytes = 2, kindBytes = 2;

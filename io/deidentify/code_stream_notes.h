@@ -14,8 +14,8 @@ struct CodeStreamNote {
 };
 
 /// Returns the comments (COM) before the first scan of a JPEG, JPEG-LS or JPEG 2000 stream that begins in
-/// `fragment`, and what cameras and programs write beside them (APP1: Exif, XMP; APP13). Empty for fragments
-/// that begin no such stream, and for damaged ones.
+/// `fragment`, and what cameras and programs write beside them (APP1: Exif, XMP; APP13). The result is empty
+/// if the fragment begins no such stream or is damaged.
 std::vector<CodeStreamNote> codeStreamNotes(const RegularFile& file, dicom::Range fragment);
 
 }  // namespace volumen

@@ -57,7 +57,7 @@ std::string contourData(const std::vector<glm::ivec2>& outline, const DicomSourc
 // Makes the contours of the segments on the slices of a series.
 class RegionMaker {
  public:
-  // `distance` is that of slices of the grid, in mm.
+  // `distance` from slice to slice of the grid is in mm.
   RegionMaker(const DicomSource& source, glm::ivec2 size, double distance)
       : source_(source), size_(size), distance_(distance) {
     const glm::dvec3 normal = glm::cross(place(0).right, place(0).down);

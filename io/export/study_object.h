@@ -44,8 +44,8 @@ class StudyObject {
   /// Returns the first file's value of an element that is the same for all pictures; empty if it is missing.
   std::string valueOfSource(std::uint32_t tag) const { return valueOf(source_.file(0).elements, tag); }
   const ObjectTags& tags() const { return tags_; }  ///< with date and time
-  /// Returns the pictures it is made of, each file once unless its frames were chosen. Those without UID are
-  /// left out.
+  /// Returns the pictures it is made of, each file once unless its frames were chosen. Pictures without
+  /// UID are left out.
   std::vector<SourcePicture> pictures() const;
 
  private:

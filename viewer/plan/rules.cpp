@@ -186,8 +186,8 @@ double lightPerTurn(const Scene& scene) {
 }
 
 // Returns whether 16-bit gradients would blur small gradients that matter. Their error limits are 1/256 for a
-// colour at the gradient floor (a quarter of that at `exact`) and 1/256 for ramps of gradient opacity, of
-// which steps allow none. A few extreme values can make the packing that coarse.
+// colour at the gradient floor (a quarter of that at `exact`) and 1/256 for ramps of gradient opacity. A
+// step of gradient opacity allows no error. A few extreme values can make the packing that coarse.
 bool packingIsCoarse(const RuleInput& in, GradientOperator by) {
   if (by == GradientOperator::sobel && !gradients16AreRounded(in.facts.range, in.facts.rescaleSlope))
     return false;
