@@ -242,7 +242,8 @@ class Incoming {
 
   std::string failure(const OFCondition& why) const {
     const std::string where = isInInstance_ ? " within an image" : "";
-    if (watch_.cancel.cancelled()) return "was cut off" + where + ", as volumen ends";
+    // Not `cancel`: it may be set after the peer has broken off.
+    if (watch_.wasCancelled) return "was cut off" + where + ", as volumen ends";
     if (watch_.sentTooMuch && isInInstance_)
       return "was cut off: its image has more than " + std::to_string(reception_.listening.mostMegabytes) +
              " megabytes (\"mostMegabytes\")";

@@ -78,7 +78,8 @@ class WatchedConnection : public DcmTransportConnection {
     const auto start = Watch::Clock::now();
     const auto end = std::min(start + most, watch_.end);
     for (;;) {
-      if (watch_.cancel.cancelled()) return false;
+      watch_.wasCancelled = watch_.cancel.cancelled();
+      if (watch_.wasCancelled) return false;
       // TLS may hold data that have left the socket.
       if (event == POLLIN && !inner_->isTransparentConnection() && inner_->networkDataAvailable(0))
         return true;

@@ -31,7 +31,7 @@ struct Watch {
   Clock::time_point end = Clock::time_point::max();
 
   // Why a connection was ended here.
-  bool wasSilent = false, sentTooMuch = false;
+  bool wasCancelled = false, wasSilent = false, sentTooMuch = false;
   std::string otherCertificate;  ///< SHA-256 of one that differs from the pin
 };
 
