@@ -9,11 +9,12 @@
 
 namespace volumen {
 
-/// Returns a frame in 8 bits, 3 a pixel in colour and else 1: grey values through `window`, by default
-/// through the first window or VOI LUT of the file.
+/// Returns the pixels of a frame with 8 bits a channel, row after row from the top. Colour frames have 3
+/// bytes a pixel (RGB), grey frames have 1. Grey values are shown through `window`, or by default through
+/// the first window or VOI LUT of the file.
 std::vector<std::uint8_t> frameBytes(const Frame& frame, const std::optional<Window>& window);
 
-/// Returns such bytes as a picture.
+/// Returns the bytes of frameBytes() as an image. `size` is columns x rows.
 QImage pictureOfBytes(const std::vector<std::uint8_t>& bytes, glm::ivec2 size, bool colour);
 
 }  // namespace volumen

@@ -4,12 +4,12 @@
 
 namespace volumen {
 
-/// Writes the rows of all CSV files of a list as one table, with the line, path and file of each before them.
-/// Columns of different commands stand side by side, in the order in which they first occur. The Error: a
-/// file is not there or is no table, or the list has none.
+/// Writes the rows of all CSV files of a list into the table `output`. Line, path and file of their piece
+/// stand before each row. Columns of different commands stand side by side, in the order in which they first
+/// occur. Returns an Error if a file is missing or is no table, or if the list has none.
 Status gather(const std::vector<Piece>& pieces, const std::string& output);
 
-/// Returns whether a file begins as the tables of gather() do.
+/// Returns true if a file begins like a table of gather().
 bool isGatheredTable(const std::string& file);
 
 }  // namespace volumen

@@ -7,10 +7,10 @@
 
 namespace volumen {
 
-/// Returns a list of work (readPieces()): a command, as typed after `volumen`, for each study of the user's
-/// index that has all of these words. In the command, {out} becomes a name of the study that is fit for a
-/// file. The Error: the index or the command cannot be read, no study has the words, or all studies would
-/// write one file. `isMistyped` tells whether the command is at fault.
+/// Returns a list of work (readPieces()): a command for each study of the user's index that has all of
+/// `words`. `typed` is the command as typed after `volumen`. Its {out} becomes a name of the study that is
+/// fit for files. Returns an Error if the index or the command cannot be read, if no study has the words, or
+/// if all studies would write one file. `isMistyped` then tells whether the command is at fault.
 Result<std::string> listFromIndex(const std::string& words, const std::string& typed,
                                   const std::string& indexFolder, const CommandLine& commands,
                                   bool& isMistyped);

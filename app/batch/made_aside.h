@@ -10,31 +10,33 @@
 
 namespace volumen {
 
-/// Where pieces of one process write before what they made gets its name: a folder beside, one for all whose
-/// outputs lie in one folder.
+/// The folders in which the pieces of one process write until their outputs are complete. The key is the
+/// folder of the outputs, beside which each lies.
 using FoldersAside = std::map<std::string, std::shared_ptr<FolderAside>>;
 
-/// A piece whose output is made aside: a folder, or the file of a command that replaces none.
+/// A piece whose output is first written to another place: a folder, or the file of a command that does not
+/// replace files.
 class MadeAside {
  public:
-  /// Returns whether a piece is made aside. All others replace their outputs themselves.
+  /// Returns true if a piece is made aside. All others replace their outputs themselves.
   static bool isFor(const Piece& piece);
 
-  /// Makes the place. The Error is a sentence for the user.
+  /// Makes a place for the output, in a folder from `folders` or in a new one there. The Error is a sentence
+  /// for the user.
   static Result<MadeAside> of(const Piece& piece, FoldersAside& folders);
 
-  /// Returns the piece that writes there.
+  /// Returns the piece with the place as its output.
   Piece piece() const;
 
-  /// Returns what the command said, with the names that files get.
+  /// Returns a text of the command with the final names of its files.
   std::string named(std::string text) const;
 
-  /// Writes the stamp and gives what was made its name. What a list made before is replaced. The stamp comes
-  /// before the name: wherever this process is killed, the next one knows whose the output is. The Error:
-  /// something has this name that no list made, or nothing was made.
+  /// Writes the stamp and moves the output to its final name, where it replaces the output of an earlier
+  /// run. The stamp comes first. If this process is killed in between, the next run still knows whose the
+  /// output is. Returns an Error if no list made what has this name, or if nothing was made.
   Status move(const std::string& stamp, const StampedEnd& end) const;
 
-  /// Removes what was made and has no name yet.
+  /// Removes the place and everything that is still in it.
   void clear() const;
 
  private:

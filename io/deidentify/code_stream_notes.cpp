@@ -19,14 +19,14 @@ enum Marker : std::uint16_t {
   photoshop = 0xffed
 };
 
-// Returns whether a marker has no length.
+// Returns true if a marker has no segment, and so no length.
 bool isAlone(std::uint16_t marker, bool isJpeg2000) {
   const bool isOfJpeg = marker == 0xff01 || (marker >= 0xffd0 && marker <= 0xffd8);
   return isJpeg2000 ? marker >= 0xff30 && marker <= 0xff3f : isOfJpeg;
 }
 
-// Returns the bytes to overwrite in the segment at byte `at`. Its `length` includes the two bytes that say
-// it.
+// Returns the bytes to overwrite in the segment at byte `at`; empty if it has no note. `length` includes its
+// own two bytes.
 std::optional<CodeStreamNote> noteOf(std::uint16_t marker, std::uint64_t at, std::size_t length,
                                      bool isJpeg2000) {
   constexpr std::size_t markerBytes = 2, lengthBytes = 2, kindBytes = 2;

@@ -6,16 +6,16 @@
 
 namespace volumen {
 
-/// Bytes of a compressed picture that say something about it and are not needed to decode it.
+/// A range of bytes in a compressed picture that holds text or metadata and is not needed to decode it.
 struct CodeStreamNote {
-  std::uint64_t offset = 0;  ///< in the file
+  std::uint64_t offset = 0;  ///< of the first byte, from the start of the file
   std::size_t length = 0;
-  char blank = 0;  ///< what to put in their place
+  char blank = 0;  ///< the byte that overwrites each of them
 };
 
-/// Returns the comments (COM) before the first scan of a JPEG, JPEG-LS or JPEG 2000 stream that begins in
-/// `fragment`, and what cameras and programs write beside them (APP1: Exif, XMP; APP13). The result is empty
-/// if the fragment begins no such stream or is damaged.
+/// Returns the notes of a JPEG, JPEG-LS or JPEG 2000 stream that begins in `fragment`: comments (COM) and
+/// the segments of cameras and programs (APP1: Exif, XMP; APP13). Only segments before the first scan or
+/// tile are searched. The result is empty if no such stream begins there or the stream is damaged.
 std::vector<CodeStreamNote> codeStreamNotes(const RegularFile& file, dicom::Range fragment);
 
 }  // namespace volumen

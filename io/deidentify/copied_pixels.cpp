@@ -16,17 +16,18 @@ using dicom::Element;
 using dicom::PixelFormat;
 using dicom::ScannedFile;
 
-// Returns the format of the pixels; nothing if the file does not say it.
+// Returns the format of the pixels; empty if the attributes of the file do not define it.
 std::optional<PixelFormat> formatOf(const DataSet& data, const Element& pixels) {
   std::vector<std::string> ignored;
   auto format = dicom::readPixelFormat(data, pixels, {}, ignored);
   if (!format) return {};
-  // Some say that they store two pixels at a time, and do not.
+  // Some files declare YBR_FULL_422 but store every sample.
   format->subsampled = format->photometric == "YBR_FULL_422" && pixels.length < format->allBytes();
   return *std::move(format);
 }
 
-// Returns the bits in which overlays lie: those that groups without data of their own name.
+// Returns the bit positions of overlays that are embedded in the pixels. Their groups have no data of their
+// own.
 std::vector<int> overlayBits(const DataSet& data) {
   std::vector<int> bits;
   for (std::uint32_t group = 0x60000000; group <= 0x60fe0000; group += 0x00020000) {
@@ -48,7 +49,7 @@ bool hasClearableBits(const PixelFormat& f) {
          (f.bitsAllocated == 8 || f.bitsAllocated == 16);
 }
 
-// Returns the bits that stay, as FilePart has them.
+// Returns the bits of each pixel to keep, as FilePart::kept.
 std::uint16_t keptBits(const std::vector<int>& overlays, const PixelFormat& f) {
   std::uint32_t kept = allBits;
   for (const int bit : overlays)
@@ -58,10 +59,10 @@ std::uint16_t keptBits(const std::vector<int>& overlays, const PixelFormat& f) {
   return std::uint16_t(f.bigEndian ? low << 8 | high : kept);
 }
 
-// Returns the bytes of all pixels.
+// Returns the number of bytes of all pixels.
 std::uint64_t pixelBytes(const PixelFormat& f) {
   constexpr std::uint64_t bitsOfByte = 8;
-  // Some fill the last byte of each frame.
+  // Some writers begin each frame of a bitmap at a whole byte.
   const std::uint64_t frame = (f.framePixels() + bitsOfByte - 1) / bitsOfByte;
   const std::uint64_t bytes = f.isBits() ? frame * std::uint64_t(f.frames) : f.allBytes();
   return f.bytesInWords ? bytes + bytes % 2 : bytes;
@@ -87,7 +88,7 @@ Status addFragments(const Element& e, const RegularFile& file, FileParts& parts)
   const auto end = dicom::endOfFragments(file, e);
   if (!end) return end.error();
   std::uint64_t at = e.offset;
-  // All fragments, as if they were of one frame: those that begin no code stream have no notes.
+  // The fragments are read as if they were one frame. Those that begin no code stream have no notes.
   const auto frames = dicom::encapsulatedFrames(file, e, 1);
   if (frames)
     for (const dicom::Range& fragment : frames->front())

@@ -32,11 +32,11 @@ using dicom::Encoding;
 using dicom::ScannedFile;
 
 constexpr const char* inflatedSyntax = "1.2.840.10008.1.2.1";
-// Identify the program that wrote a file (PS3.10 7.1).
+// These identify the program that wrote a file (PS3.10 7.1).
 constexpr const char* implementationClassUid = "2.25.201107755137305124765928151552104590321";
 constexpr const char* implementationVersionName = "VOLUMEN";
 
-// Returns why a class cannot be cleaned; empty if it can.
+// Returns the reason why a class cannot be cleaned; empty if it can.
 std::string problemOfClass(const std::string& sopClass) {
   if (sopClass == "1.2.840.10008.1.3.10") return "it is a DICOMDIR, which lists names of files and patients";
   if (sopClass.starts_with("1.2.840.10008.5.1.4.1.1.104."))
@@ -64,7 +64,7 @@ void notePixels(const DataSet& data, const Retained& retained, DeidentifiedFile&
       std::ranges::find(types, "MOSAIC") != types.end() && !dicom::readCsaImageHeader(data).empty();
 }
 
-// Returns the number of 16-bit words of a grey picture of one frame; 0 if its pixels are of another kind.
+// Returns the number of pixels of a single-frame grey image of 16 bits; 0 for all other pixels.
 std::size_t wordsOfPixels(const DataSet& data) {
   const auto word = [&](std::uint32_t tag) { return int(data.word(tag, data.root()).value_or(0)); };
   const int allocated = word(0x00280100), stored = word(0x00280101), highBit = word(0x00280102);
@@ -121,7 +121,7 @@ Result<DeidentifiedFile> deidentifiedHere(const std::string& path, const Deident
   return out;
 }
 
-// File meta information (PS3.10 7.1) with its preamble.
+// Returns the preamble and the file meta information (PS3.10 7.1).
 std::string metaOf(const DeidentifiedFile& file) {
   constexpr std::uint32_t mediaClass = 0x00020002, mediaInstance = 0x00020003, syntax = 0x00020010,
                           implementation = 0x00020012, implementationName = 0x00020013;
@@ -145,7 +145,7 @@ std::string metaOf(const DeidentifiedFile& file) {
   return std::move(meta).take().front().bytes;
 }
 
-// Calls take(bytes) for all bytes of the file in order, until it fails.
+// Calls take(bytes) for all bytes of the written file in order, until it fails.
 template <class Take>
 Status forEachPart(const DeidentifiedFile& file, const std::string& source, const Take& take) {
   const Result<RegularFile> from = RegularFile::open(source);
@@ -177,7 +177,7 @@ Result<DeidentifiedFile> rewritten(const std::string& path, const Deidentificati
   return worker::isolated<deidentifiedHere>(request, failure, path, how, isFaceless);
 }
 
-// Returns 16-bit values in the byte order of a file.
+// Returns 16-bit values as bytes.
 std::string bytesOf(const std::vector<std::uint16_t>& words, bool bigEndian) {
   std::string bytes;
   bytes.reserve(2 * words.size());

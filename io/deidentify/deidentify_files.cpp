@@ -31,7 +31,8 @@ class Copies {
     write(path, *file, false);
   }
 
-  // Writes copies of files with other pixels. Those whose pixels cannot be replaced are left to add().
+  // Writes copies with the pixels of a faceless series. Files whose pixels cannot be replaced are left to
+  // add().
   void addFaceless(const FacelessSeries& series, const Progress& progress) {
     dicom::forEachParallel(series.size(), "writing", progress, cancel_, [&](std::size_t n) {
       const auto pixels = series.pixels(n);
@@ -45,7 +46,7 @@ class Copies {
   }
   bool isDone(const std::string& path) const { return done_.contains(path); }
 
-  // Compares files with those of the same instance that are written now.
+  // Compares files whose instance UID was already taken with the copy that has it.
   void compareAll() {
     for (const auto& [path, target, file] : later_)
       if (isWrittenAt(file, path, target))
@@ -54,7 +55,7 @@ class Copies {
         report_.leftOut.push_back({path, "another file with other contents has the same instance UID"});
   }
 
-  // The number of copies that are whole.
+  // Returns the number of copies that are whole.
   int complete() const { return report_.written + report_.alreadyThere; }
 
   Result<DeidentifyReport> report() && {
@@ -131,14 +132,14 @@ class Copies {
   const Deidentification& how_;
   const CancelToken& cancel_;
   std::mutex mutex_;
-  Status problem_;  // of the folder
+  Status problem_;  // why the folder cannot be written
   DeidentifyReport report_;
   std::vector<Later> later_;
   std::set<std::string> targets_, withText_, withFaces_, withoutSuv_, withoutMosaic_, faceless_;
   std::set<std::string> done_;  // files whose copies have other pixels
 };
 
-// A series that shows no head, or cannot be loaded, is left as it is.
+// Writes the faceless copies. Leaves series that show no head, or cannot be loaded, to the caller.
 Status addFaceless(Copies& copies, const std::vector<std::string>& files, const Progress& progress,
                    const CancelToken& cancel) {
   const auto study = openFiles(files, progress, cancel);

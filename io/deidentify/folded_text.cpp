@@ -6,7 +6,7 @@ namespace volumen {
 
 namespace {
 
-// Returns what a letter is compared as, if it is one of those that are spelled with two letters.
+// Returns the letters that stand for a letter such as ä; empty if it stands for itself.
 QString spellingOf(QChar c, Umlauts umlauts) {
   const bool isSpelled = umlauts == Umlauts::spelled;
   switch (c.unicode()) {
@@ -32,7 +32,7 @@ QString spellingOf(QChar c, Umlauts umlauts) {
 
 bool isAccent(QChar c) { return c >= u'\u0300' && c <= u'\u036f'; }
 
-// Returns whether a letter is of the Latin, Greek or Cyrillic script, which lose their accents.
+// Returns true for letters of the Latin, Greek or Cyrillic script, which are compared without accents.
 bool losesAccents(QChar c) { return (c > u'\u007f' && c < u'\u0530') || (c >= u'\u1e00' && c <= u'\u1fff'); }
 
 bool isPartOfWord(QChar c) { return c.isLetterOrNumber() || c.isMark() || c.isSurrogate(); }

@@ -7,12 +7,12 @@ namespace volumen {
 
 namespace {
 
-// Patient's name, ID, other IDs and names, mother's and birth name, accession number; physicians, operators,
-// institution and station.
+// `whole` are looked for as they are: patient ID, other IDs, accession number, institution and station.
+// `names` are the names of the patient, the mother, physicians and operators.
 constexpr std::uint32_t whole[] = {0x00100020, 0x00101000, 0x00080050, 0x00080080, 0x00081010};
 constexpr std::uint32_t names[] = {0x00100010, 0x00101001, 0x00101005, 0x00101060, 0x00080090,
                                    0x00081048, 0x00081050, 0x00081060, 0x00081070};
-// Shorter parts stand in other texts by chance, and all but long ones in longer words.
+// Shorter parts occur in other texts by chance. Only long ones are looked for inside longer words.
 constexpr qsizetype leastLetters = 4, leastOfFamily = 3, leastOfWhole = 3, leastIdeographs = 2,
                     leastInWords = 6;
 
@@ -23,7 +23,8 @@ QStringList wordsOfName(QString name) {
   return name.simplified().split(QLatin1Char(' '), Qt::SkipEmptyParts);
 }
 
-// Returns family name, given name and so on. Many write the two with a blank or a comma between them.
+// Returns the family name, the given name and so on. Many writers separate the two by a blank or a comma
+// instead of ^.
 QStringList componentsOf(const QString& group) {
   const QStringList components = group.split(QLatin1Char('^'));
   if (components.size() > 1) return components;
@@ -78,7 +79,7 @@ void IdentifyingTexts::addWhole(const QStringList& parts) {
   if (std::ranges::count_if(parts, isThere) < 2) return;
   const QString all = parts.join(QLatin1Char(' '));
   Name name{FoldedText(all, Umlauts::spelled).letters(), FoldedText(all, Umlauts::dropped).letters()};
-  // Two initials without anything between them may be any word.
+  // Two joined initials could be any word.
   name.isParted = name.dropped.size() < leastOfWhole && !hasIdeographs(name.dropped);
   names_.push_back(name);
 }

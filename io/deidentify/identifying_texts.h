@@ -10,29 +10,29 @@
 
 namespace volumen {
 
-/// The names and identifiers of the patient, of other persons and of places in a data set, unless the profile
-/// keeps their attribute. No other attribute may contain them.
+/// The names and identifiers of the patient, other persons and places in a data set. Attributes that the
+/// profile keeps are not among them. No other attribute may contain them.
 class IdentifyingTexts {
  public:
   IdentifyingTexts(const dicom::DataSet& data, const ConfidentialityProfile& profile);
 
-  /// Returns whether a text holds one of them. Case, accents and all between the letters of a name do not
-  /// count. Whole names are found in either order, single parts from four letters on (a family name from
-  /// three, in ideographs from two).
+  /// Returns true if a text contains one of them. Case and accents do not count, nor do blanks and signs
+  /// between letters. Whole names are found in either order. Single parts of names are found if they have at
+  /// least 4 letters. Family names need 3 letters, or 2 ideographs.
   bool isIn(const std::string& text) const;
 
  private:
-  /// A name or a part of one, in each way to compare umlauts.
+  /// A name or a part of one, folded in each way to compare umlauts.
   struct Name {
     QString spelled, dropped;
-    bool isInWords = false;  ///< it is found inside longer words, too
-    bool isParted = false;   ///< it is found only with something between its letters
+    bool isInWords = false;  ///< true if it is also found inside longer words
+    bool isParted = false;   ///< true if it is found only with something between its letters
   };
   void addName(const QString& name);
   void addWhole(const QStringList& parts);
   void addPart(const QString& part, bool isFamily);
 
-  std::vector<QString> texts_;  // in lower case
+  std::vector<QString> texts_;  // identifiers, in lower case
   std::vector<Name> names_;
 };
 

@@ -6,8 +6,8 @@
 
 namespace volumen {
 
-/// Remembers which of a folder and its parents are missing, and removes them at the end of its life if they
-/// are there then and empty.
+/// Remembers which of a folder and its parents are missing when it is made. Its destructor removes those of
+/// them that exist then and are empty.
 class MadeFolder {
  public:
   explicit MadeFolder(const std::string& folder);
@@ -16,7 +16,7 @@ class MadeFolder {
   ~MadeFolder();
 
  private:
-  std::vector<std::filesystem::path> missing_;  // inner ones first
+  std::vector<std::filesystem::path> missing_;  // innermost first
 };
 
 }  // namespace volumen

@@ -10,7 +10,7 @@ namespace volumen {
 
 namespace {
 
-// Columns of the table.
+// The columns of the table.
 enum Column {
   tagColumn,
   vrColumn,
@@ -27,14 +27,14 @@ enum Column {
   columns
 };
 
-// Attributes that some classes need although their rows say that they are removed.
-constexpr std::uint32_t needed[] = {0x00700082, 0x00700083};  // of presentation states (PS3.3 C.11.10)
+// Some classes need these attributes, although the table removes them.
+constexpr std::uint32_t needed[] = {0x00700082, 0x00700083};  // presentation states (PS3.3 C.11.10)
 
-// Birth and death by another calendar, and which one, are the dates that the table removes.
+// The dates of birth and death in another calendar reveal the dates that the table removes.
 constexpr std::uint32_t otherCalendar[] = {0x00100033, 0x00100034, 0x00100035};
 
-// UIDs that name no object: classes, transfer syntaxes, coding schemes, context groups, mapping resources and
-// versions of programs. The table lists none of them.
+// These UIDs name no object but classes, transfer syntaxes, coding schemes, context groups, mapping
+// resources and versions of programs. The table lists none of them.
 constexpr std::uint32_t nameNoObject[] = {
     0x00080016, 0x0008001a, 0x0008001b, 0x00080062, 0x0008010c, 0x00080117, 0x00080118, 0x00081150,
     0x0008115a, 0x00083002, 0x00089123, 0x00340003, 0x04000010, 0x04000510, 0x30100052, 0x30100053};
@@ -49,8 +49,8 @@ std::vector<std::string_view> splitAt(char separator, std::string_view text) {
   return parts;
 }
 
-// Returns one action where the table names several, such as "X/Z/D". A classic image loses the attribute if
-// that is one of them.
+// Returns one action where the table allows several, such as "X/Z/D". A classic image loses the attribute if
+// X is among them.
 ProfileAction oneOf(std::string_view actions, bool isClassic) {
   const auto has = [&](char action) { return actions.find(action) != std::string_view::npos; };
   if (has('U')) return ProfileAction::newUid;
@@ -101,7 +101,7 @@ ConfidentialityProfile::ConfidentialityProfile(const Retained& retained) : retai
     }
   for (const std::uint32_t tag : otherCalendar)
     rows_.push_back({tag, 0xffffffff, 0, ProfileAction::remove, ProfileAction::remove});
-  // Clang 14 compiles no subrange of this library, which the other stable_partition returns.
+  // Clang 14 cannot compile the std::ranges version, which returns a subrange.
   const auto open =
       std::stable_partition(rows_.begin(), rows_.end(), [](const Row& r) { return r.mask == 0xffffffff; });
   exact_ = std::size_t(open - rows_.begin());
@@ -130,7 +130,7 @@ ProfileAction ConfidentialityProfile::unlistedAction(std::uint32_t tag, std::uin
   if (isUid && !retained_.uids && std::ranges::find(nameNoObject, tag) == std::end(nameNoObject))
     return ProfileAction::newUid;
   if (!isTime || retained_.dates) return ProfileAction::keep;
-  // Which class needs them is not known: an element without value does least harm.
+  // The class that needs this element is not known. An element without a value does the least harm.
   return retained_.shiftDays != 0 ? ProfileAction::shift : ProfileAction::empty;
 }
 

@@ -31,7 +31,7 @@ constexpr std::uint16_t sequenceVr = vrOf('S', 'Q'), unknownVr = vrOf('U', 'N');
 constexpr std::uint16_t codeVr = vrOf('C', 'S'), uidVr = vrOf('U', 'I');
 constexpr const char* dummyText = "DEIDENTIFIED";
 
-// Returns the VR that DCMTK's dictionary has for a standard attribute, 0 if it does not know it.
+// Returns the VR of a standard attribute in DCMTK's dictionary; 0 if the attribute is unknown.
 std::uint16_t vrInDictionary(std::uint32_t tag) {
   const DcmDataDictionary& dictionary = dcmDataDict.rdlock();
   const DcmDictEntry* entry =
@@ -42,7 +42,7 @@ std::uint16_t vrInDictionary(std::uint32_t tag) {
   return vr;
 }
 
-// Returns a value that says nothing (PS3.15 E.1.1, D).
+// Returns a dummy value without meaning (PS3.15 E.1.1, action D).
 std::string dummyOf(std::uint16_t vr) {
   switch (vr) {
     case vrOf('D', 'A'):
@@ -66,7 +66,7 @@ std::string dummyOf(std::uint16_t vr) {
   }
 }
 
-// Returns a value of ImageType for other pixels.
+// Returns the ImageType of an image whose pixels were changed.
 std::string derivedType(const std::string& type) {
   return type.empty() ? "DERIVED\\PRIMARY" : "DERIVED" + type.substr(std::min(type.find('\\'), type.size()));
 }
@@ -78,8 +78,8 @@ bool isTextVr(std::uint16_t vr) {
   return std::ranges::find(texts, vr) != std::end(texts);
 }
 
-// Returns whether value `n` of a code is one of few that programs need to read the object: character set,
-// kind of image, modality, how pixels are stored, kind of a content item.
+// Returns true if programs need value `n` of a code to read the object: character set, kind of image,
+// modality, pixel format, kind of a content item.
 bool isOfFormat(std::uint32_t tag, int n) {
   constexpr std::uint32_t codes[] = {0x00080005, 0x00080060, 0x0040a010, 0x0040a040, 0x0040a050};
   return tag >> 16 == 0x0028 || (tag == imageType && n < 2) ||
@@ -112,7 +112,7 @@ class Rewrite {
  private:
   struct Place {
     bool isRoot = false;
-    bool isInContent = false;  // in a content item of a structured report
+    bool isInContent = false;  // inside a content item of a structured report
   };
 
   void addScope(DataSet::Scope scope, Encoding encoding, Place place) {
@@ -137,11 +137,11 @@ class Rewrite {
     if (known == 0 && listed == 0) return;
     const std::uint16_t vr = e.vr && e.vr != unknownVr ? e.vr : listed ? listed : known;
     const ProfileAction action = profile_.actionOf(e.tag, isClassic_ && place.isRoot, vr);
-    // The pixels of overlays are removed, and their other attributes are invalid without them.
+    // Overlays are removed. Their other attributes are invalid without their pixels.
     const bool isOverlay = e.tag >> 24 == 0x60;
     if (action == ProfileAction::remove || isOverlay) return;
     const bool isSequence = e.end > n + 1 || vr == sequenceVr || e.length == dicom::undefinedLength;
-    // A sequence whose items are not told apart cannot be cleaned.
+    // A sequence cannot be cleaned if its items were not scanned one by one.
     const bool isOpaque =
         e.end == n + 1 && e.length > 0 && e.length != dicom::undefinedLength && vr == sequenceVr;
     if (isOpaque) return;
@@ -167,7 +167,7 @@ class Rewrite {
     parts_.addHeader(inside, dicom::sequenceEndTag, 0, 0);
   }
 
-  // The code of a person may be a number that identifies them.
+  // The code of a person may be a number that identifies the person.
   void addDummyCode(std::uint32_t tag, std::uint16_t vr, Encoding encoding) {
     const Encoding inside = vr == unknownVr ? Encoding{false, false} : encoding;
     constexpr auto undefined = std::uint32_t(dicom::undefinedLength);
@@ -180,7 +180,7 @@ class Rewrite {
     parts_.addHeader(inside, dicom::sequenceEndTag, 0, 0);
   }
 
-  // Texts of structured reports may say anything; codes, numbers and references stay (option 113104).
+  // Texts of structured reports may hold names. Codes, numbers and references stay (option 113104).
   bool addedAsContent(const Element& e, std::uint16_t vr, Encoding encoding) {
     constexpr std::uint32_t textValue = 0x0040a160;
     if (e.tag != textValue || e.length == 0) return false;
@@ -223,7 +223,7 @@ class Rewrite {
     put(e, vr, encoding, each(e, scope, [&](const std::string& uid) { return pseudonyms_.uid(uid); }));
   }
 
-  // Returns all values of a code, with a dummy for each that holds a name.
+  // Returns all values of a code. Those that hold a name are replaced by a dummy.
   std::string codesWithoutNames(const Element& e, DataSet::Scope scope) const {
     const std::string characters = data_.text(0x00080005, data_.root());
     int n = 0;
@@ -245,8 +245,8 @@ class Rewrite {
         }));
   }
 
-  // Returns a pseudonym for the name or ID of the patient, or for the ID of the study, so that lists still
-  // tell patients and studies apart; empty for other attributes.
+  // Returns a pseudonym for the patient's name, the patient ID or the study ID, by which lists still tell
+  // patients and studies apart. The result is empty for other attributes.
   std::string pseudonymOf(std::uint32_t tag) const {
     const auto text = [&](std::uint32_t of) { return data_.utf8(of, data_.root()); };
     if (tag == studyId) return pseudonyms_.name(text(studyUid));
@@ -271,7 +271,7 @@ class Rewrite {
       parts_.addElement(encoding, e.tag, vr, value);
   }
 
-  // Copies the element with the header that it has.
+  // Copies an element together with its header.
   void copy(const Element& e, Encoding encoding) {
     const auto headerIs = [&](std::uint64_t size) {
       const std::uint64_t at = e.offset - size;

@@ -10,8 +10,8 @@ struct TagRange {
   std::uint32_t first, last;
 };
 
-// Copied attributes: PS3.3 C.7.1 to C.7.5 and acquisition (C.8), as far as they hold for any slice with the
-// same content.
+// These attributes hold for any slice with the same content. Most are from PS3.3 C.7.1 to C.7.5 and
+// acquisition (C.8).
 constexpr TagRange copiedTags[] = {
     {0x00080008, 0x00080008},  // ImageType
     {0x00080020, 0x00080023},  // dates of study, series, acquisition, content

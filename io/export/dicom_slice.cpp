@@ -26,7 +26,7 @@ void appendValue(std::string& values, const std::string& value) {
   values += value;
 }
 
-// Returns the source's elements of one slice by tag; those of its frame replace those of the file.
+// Returns the elements of one slice of the source by tag. Elements of its frame replace those of its file.
 std::map<std::uint32_t, DicomElements> byTag(const DicomSource& source, int slice) {
   std::map<std::uint32_t, DicomElements> all;
   for (const DicomElements* elements : {&source.file(slice).elements, &source.frame(slice).elements}) {
@@ -39,7 +39,7 @@ std::map<std::uint32_t, DicomElements> byTag(const DicomSource& source, int slic
   return all;
 }
 
-// Leaves the elements that another slice agrees on, for one made of both. Times and windows stay.
+// Removes the elements that differ in another slice. Times and windows stay.
 void keepCommon(std::map<std::uint32_t, DicomElements>& all,
                 const std::map<std::uint32_t, DicomElements>& others) {
   constexpr std::uint32_t ofTheFirst[] = {0x00080022, 0x00080023, 0x00080032, 0x00080033,
@@ -58,7 +58,7 @@ DicomElements flat(const std::map<std::uint32_t, DicomElements>& byTags) {
   return all;
 }
 
-// Returns the slice that was acquired first: SUV may be of its time.
+// Returns the slice that was acquired first, because SUV may be computed for its time.
 int firstInTime(const DicomSource& source) {
   const auto time = [&](int n) {
     const DicomElements& elements = source.file(n).elements;
@@ -83,7 +83,7 @@ DicomElements windows(const Volume& volume, const DicomSeriesTags& tags) {
   return all;
 }
 
-// PS3.3 A.3, A.4, A.8, A.21: required image attributes for which the source may have no value.
+// Returns required image attributes that the source may lack (PS3.3 A.3, A.4, A.8, A.21).
 DicomElements modalityDefaults(const std::string& sopClass, const DicomSeriesTags& tags,
                                const std::string& scanningSequence) {
   if (sopClass == UID_CTImageStorage) return {{0x00180060, tags.kvp}};
@@ -99,7 +99,8 @@ DicomElements modalityDefaults(const std::string& sopClass, const DicomSeriesTag
   return {{0x00080064, "WSD"}, {0x00200020, ""}};
 }
 
-// Returns the padding in stored values, if they are integers or a stored number stands for padding.
+// Returns the padding in stored values. The result is empty if the volume has none or stored values cannot
+// hold it.
 DicomElements padding(const Volume& volume, const StoredSlice& pixels) {
   const auto& range = volume.attributes().padding;
   if (!range) return {};
@@ -117,7 +118,7 @@ DicomElements padding(const Volume& volume, const StoredSlice& pixels) {
   return all;
 }
 
-// Counts of DYNAMIC and GATED series are 1: this is one of their volumes.
+// The file is one volume of a DYNAMIC or GATED series, so their counts are 1.
 DicomElements petCounts(int k, int slices, const std::string& seriesType) {
   DicomElements all = {{0x00540081, std::to_string(slices)}, {0x00541330, std::to_string(k + 1)}};
   if (seriesType.starts_with("DYNAMIC")) all.push_back({0x00540101, "1"});
@@ -179,7 +180,7 @@ std::string DicomSliceWriter::withoutClass() const {
   return isCapture || isPet_ ? std::string() : modality;
 }
 
-// Returns the slices of the source that slice `k` is made of.
+// Returns the source slices that slice `k` is made of.
 std::vector<int> DicomSliceWriter::sourcesOf(int k) const {
   if (tags_.source.slices.empty()) return {};
   if (tags_.resampling) return tags_.resampling->sources[std::size_t(k)];
@@ -187,7 +188,7 @@ std::vector<int> DicomSliceWriter::sourcesOf(int k) const {
   return origin.isInterpolated() ? std::vector{origin.below, origin.above} : std::vector{origin.below};
 }
 
-// Returns how slice `k` is stored in its source; empty if it is made of several or has no source.
+// Returns how slice `k` is stored in its source; empty if it has no source or several.
 std::optional<StoredAs> DicomSliceWriter::storedAs(int k) const {
   const std::vector<int> sources = sourcesOf(k);
   if (sources.size() != 1) return {};
@@ -195,13 +196,14 @@ std::optional<StoredAs> DicomSliceWriter::storedAs(int k) const {
   return StoredAs{frame.slope, frame.intercept, tags_.source.file(sources[0]).isSigned};
 }
 
-// Slices of PET have a rescale each and may be rounded.
+// Each PET slice has its own rescale. Its values may be rounded.
 std::optional<StoredSlice> DicomSliceWriter::pixels(int k) const {
   if (storedAsOne_) return roundedSlice(volume_, k, *storedAsOne_);
   return storedSlice(volume_, k, storedAs(k), isPet_);
 }
 
-// Identity and frame of reference are the same for all slices, even if single source files differ.
+// Identity and frame of reference are the same for all slices, even if single source files differ from the
+// others.
 DicomElements DicomSliceWriter::identityElements() const {
   DicomElements all = patientModule(tags_);
   append(all, studyModule(tags_, tags_.studyUid.empty() ? uids_.of("study") : tags_.studyUid));
@@ -212,7 +214,7 @@ DicomElements DicomSliceWriter::identityElements() const {
   return all;
 }
 
-// Returns the elements that all slices share; those of the source take precedence.
+// Returns the elements that all slices share. Elements of the source take precedence.
 DicomElements DicomSliceWriter::seriesElements() const {
   const std::string modality = volume_.attributes().modality;
   const char* sopClass = sopClassOf(modality, isPet_);
@@ -252,7 +254,7 @@ DicomElements DicomSliceWriter::withoutIdentity(DicomElements all) const {
   return all;
 }
 
-// Returns the elements that all slices of the source agree on and that hold on any plane.
+// Returns the elements that are equal in all source slices and hold on any plane.
 DicomElements DicomSliceWriter::commonOfAll() const {
   constexpr std::uint32_t ofTheirSpace = 0x00201040;      // PositionReferenceIndicator
   constexpr std::uint32_t ofTheirPlane[] = {0x0008103f,   // SeriesDescriptionCodeSequence
@@ -290,8 +292,8 @@ std::string DicomSliceWriter::imageType(const std::string& ofSource) const {
   return type;
 }
 
-// Returns where slice `k` lies. Slices across a curve have no distance along a normal: their location is on
-// the curve.
+// Returns the position of slice `k`. Slices across a curve are located by their distance along it, as they
+// have none along a common normal.
 DicomElements DicomSliceWriter::placeOf(int k) const {
   if (!tags_.resampling || tags_.resampling->places.empty()) return placeElements(volume_.geometry(), k);
   DicomElements all = placeElements(tags_.resampling->places[std::size_t(k)], 0);
@@ -318,7 +320,7 @@ DicomElements DicomSliceWriter::derivationOf(int k, const StoredSlice& pixels) c
   return all;
 }
 
-// Returns the elements that replace the source's.
+// Returns the elements that replace those of the source.
 DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels,
                                                 std::span<const DicomElement> source) const {
   const std::string& modality = volume_.attributes().modality;
@@ -339,7 +341,7 @@ DicomElements DicomSliceWriter::derivedElements(int k, const StoredSlice& pixels
   if (tags_.resampling) all.push_back({0x00180050, decimal(tags_.resampling->thicknessMm)});
   if (tags_.isDefaced) all.push_back({0x00280302, "NO"});
   if (isPet_) append(all, petCounts(k, volume_.size().z, valueOf(source, 0x00541000)));
-  // MR Image Storage has no rescale; it is written nevertheless if it changes values.
+  // MR Image Storage has no rescale. It is still written if it changes values.
   if (modality == "MR" && pixels.slope == 1 && pixels.intercept == 0) return all;
   append(all, {{0x00281053, decimal(pixels.slope)}, {0x00281052, decimal(pixels.intercept)}});
   if (isPet_) return all;

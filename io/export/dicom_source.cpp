@@ -64,8 +64,8 @@ class Copier {
     return all;
   }
 
-  // Sets patient and study of a file, with empty elements. Texts stay as stored if all are in the declared
-  // character set.
+  // Sets the elements of patient and study, including empty ones. Texts stay as stored if all are in the
+  // declared character set.
   void setStudy(DicomSourceFile& file) const {
     Copier copier(data_, bytes_);
     copier.ofStudy_ = copier.asStored_ = true;
@@ -88,7 +88,7 @@ class Copier {
         for (const DataSet::Scope& inner : data_.items(0x00189076, item)) add(inner, 0, all);  // gradient
         break;
       }
-    // Single-frame images have an inversion time in inversion recovery alone.
+    // Single-frame images have an inversion time only for inversion recovery.
     if (!recoversInversion(scopesOf(groups)) &&
         valueOf(all, scanningSequenceTag).find("IR") == std::string::npos)
       std::erase_if(all, [](const DicomElement& e) { return e.tag == inversionTimeTag && e.depth == 0; });
@@ -110,7 +110,7 @@ class Copier {
     for (std::uint32_t n = scope.begin; n < scope.end; n = data_.element(n).end) {
       const dicom::Element& e = data_.element(n);
       const bool isPrivate = e.tag >> 16 & 1;
-      if (e.tag == characterSet && depth > 0) isAsDeclared_ = false;  // texts of this item are in another one
+      if (e.tag == characterSet && depth > 0) isAsDeclared_ = false;  // this item has its own character set
       const bool isWanted = depth > 0 || (ofStudy_ ? isOfStudy(e.tag) : isCopied(e.tag));
       if (isPrivate || e.tag == characterSet || !isWanted) continue;
       const std::uint16_t vr = e.vr && e.vr != vrOf('U', 'N') ? e.vr : dictionaryVr(e.tag);
@@ -131,13 +131,13 @@ class Copier {
   // Converts a value to its form in single-frame images.
   void addValue(DicomElement e, DicomElements& out) const {
     constexpr std::uint32_t phaseEncodingDirection = 0x00181312;
-    // Writers of images add required empty elements themselves.
+    // Image writers add required empty elements themselves.
     if (e.depth == 0 && e.value.empty() && !ofStudy_) return;
     if (e.tag == phaseEncodingDirection && e.value == "COLUMN") e.value = "COL";
     out.push_back(std::move(e));
   }
 
-  // Enhanced MR splits ScanningSequence of single-frame images into three attributes.
+  // Joins the three attributes into which enhanced MR splits ScanningSequence.
   void addScanningSequence(DicomElements& out) const {
     const auto says = [&](std::uint32_t tag, const char* what) {
       return data_.text(tag, data_.root()) == what;
@@ -166,7 +166,7 @@ class Copier {
     }
   }
 
-  // Counts of Philips PET have no unit without their factors to SUV and Bq/ml.
+  // Adds the factors to SUV and Bq/ml, without which counts of Philips PET have no unit.
   void addPhilipsFactors(DicomElements& out) const {
     constexpr std::uint32_t creator = 0x70530010;
     const std::string name = data_.text(creator, data_.root());
@@ -177,7 +177,7 @@ class Copier {
         out.push_back({factor, decimal(*number), vrOf('D', 'S'), 0});
   }
 
-  // Older Siemens, Philips and GE files hold the gradient direction only in private elements.
+  // Adds the gradient direction, which older Siemens, Philips and GE files hold only in private elements.
   void addPrivateDirection(DicomElements& out) const {
     constexpr std::uint32_t direction = 0x00189089;
     if (data_.has(direction, data_.root())) return;

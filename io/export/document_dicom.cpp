@@ -19,12 +19,12 @@ namespace {
 
 constexpr std::uint32_t instanceReferences = 0x00081199, instanceUid = 0x00081155;
 
-// An instance as the study knows it.
+// An instance that the study lists.
 struct StudyInstance {
   std::string path;
   const SeriesIdentity* of = nullptr;
   bool isDerived = false, isImage = true;
-  std::string otherPath{};  // of another picture with its UID
+  std::string otherPath{};  // path of another picture with the same UID
 };
 
 std::map<std::string, StudyInstance> knownInstances(const Study& study) {
@@ -43,7 +43,7 @@ std::map<std::string, StudyInstance> knownInstances(const Study& study) {
   return all;
 }
 
-// Sets patient and study, and what headers alone say of the pictures.
+// Sets patient and study, and the attributes of the pictures that only their headers have.
 Status addHeaders(const std::vector<std::string>& paths, DocumentSource& source, const Progress& progress,
                   const CancelToken& cancel) {
   Series files;
@@ -63,7 +63,7 @@ Status addHeaders(const std::vector<std::string>& paths, DocumentSource& source,
   return {};
 }
 
-// Adds every object that the item and those below it refer to, each once.
+// Adds the UIDs of all objects that the item and those below it reference, each once.
 void addReferences(const ContentItem& item, std::vector<std::string>& uids) {
   for (const DicomElement& e : item.value)
     if (e.tag == instanceUid && std::ranges::find(uids, e.value) == uids.end()) uids.push_back(e.value);

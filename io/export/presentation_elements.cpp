@@ -25,7 +25,7 @@ std::string wordOf(float share) {
   return std::to_string(std::lround(std::clamp(share, 0.0F, 1.0F) * 65535.0));
 }
 
-// Returns numbers of VR FL.
+// Returns the coordinates of points as a value of VR FL.
 std::string floatsOf(std::initializer_list<glm::dvec2> points) {
   std::string all;
   for (const glm::dvec2 p : points)
@@ -44,7 +44,7 @@ std::string floatsOf(const std::vector<glm::dvec2>& points) {
 
 const char* unitsName(AnnotationUnits units) { return units == AnnotationUnits::pixel ? "PIXEL" : "DISPLAY"; }
 
-// Returns a table's descriptor and data.
+// Returns the descriptor and the data of a lookup table.
 DicomElements lookupTable(const std::vector<std::uint16_t>& entries, double first, int depth) {
   const auto vr = first < 0 ? vrOf('S', 'S') : vrOf('U', 'S');
   std::string data;
@@ -60,7 +60,7 @@ DicomElements lookupTable(const std::vector<std::uint16_t>& entries, double firs
       {0x00283006, data, vrOf('O', 'W'), depth}};
 }
 
-// Returns greys as entries of 16 bits: a presentation state has these or packed bytes (dciodvfy).
+// Returns greys as 16-bit entries. A presentation state must have these or packed bytes (dciodvfy).
 std::vector<std::uint16_t> tableEntries(const std::vector<float>& greys) {
   std::vector<std::uint16_t> entries;
   for (const float grey : greys)
@@ -73,7 +73,7 @@ const char* functionName(WindowFunction function) {
   return names[int(function)];
 }
 
-// Returns the RescaleType that is read as this unit.
+// Returns the RescaleType that readers take for this unit.
 std::string rescaleTypeOf(const std::string& unit) {
   if (unit.empty()) return "US";
   for (const char* term : {"MGML", "PCT", "OD", "BQML"})
@@ -183,7 +183,7 @@ DicomElements PresentationElements::shutter() {
   return all;
 }
 
-// The corners are those on screen, after the turn (C.10.4), counted from 1.
+// The corners of the area are those on screen, after the turn (C.10.4), counted from 1.
 DicomElements PresentationElements::area(const Presentation::Area& part) const {
   const PresentedGrid grid({.turn = p_.turn, .area = part.area, .layers = {}, .graphics = {}, .texts = {}},
                            frame_.size);
@@ -207,7 +207,7 @@ DicomElements PresentationElements::area(const Presentation::Area& part) const {
   return all;
 }
 
-// Layers have names of at most 16 capital letters, digits, blanks and underscores (VR CS), each its own.
+// Returns a layer name of its own: at most 16 capital letters, digits, blanks and underscores (VR CS).
 std::string PresentationElements::layerName(const std::string& name) {
   constexpr std::size_t longest = 16;
   const auto known = layerNames_.find(name);
@@ -256,7 +256,7 @@ DicomElements PresentationElements::layers() {
 
 DicomElements PresentationElements::graphic(const Graphic& graphic) {
   constexpr const char* names[] = {"POINT", "POLYLINE", "INTERPOLATED", "CIRCLE", "ELLIPSE"};
-  constexpr std::size_t mostPoints = 65535;  // of VR US
+  constexpr std::size_t mostPoints = 65535;  // the largest value of VR US
   if (graphic.points.size() > mostPoints) {
     notes_.emplace_back("A shape is left out: it has more than 65535 points.");
     return {};
@@ -301,9 +301,9 @@ std::vector<std::string> layersOf(const Presentation::Annotations& part) {
 
 }  // namespace
 
-// Each item has one layer.
+// Writes an item for each layer, as an item can only name one.
 DicomElements PresentationElements::annotations(const Presentation::Annotations& part) {
-  constexpr std::size_t longestText = 1024;  // characters of ST
+  constexpr std::size_t longestText = 1024;  // characters, in VR ST
   DicomElements all;
   for (const std::string& layer : layersOf(part)) {
     DicomElements graphics, texts;

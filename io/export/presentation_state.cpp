@@ -16,7 +16,7 @@ namespace volumen {
 
 namespace {
 
-// Returns a text as VR CS.
+// Returns a text as a ContentLabel, which is of VR CS.
 std::string contentLabel(const std::string& label) {
   constexpr std::size_t longest = 16;
   std::string term;
@@ -27,8 +27,8 @@ std::string contentLabel(const std::string& label) {
   return term.find_first_not_of(" _") == std::string::npos ? "VOLUMEN" : term;
 }
 
-// Returns the indices of the pictures in the series; all if there are none. The Error names one that it
-// lacks.
+// Returns the indices of the pictures in the series. Without pictures the result is empty, which stands for
+// all. The Error names a picture that the series lacks.
 Result<std::vector<std::size_t>> slicesOf(const std::vector<ReferencedPicture>& pictures,
                                           const Series& series) {
   std::vector<std::size_t> slices;
@@ -41,7 +41,7 @@ Result<std::vector<std::size_t>> slicesOf(const std::vector<ReferencedPicture>& 
   return slices;
 }
 
-// Checks that parts are for pictures of the presentation.
+// Checks that each part of the presentation is for pictures that the presentation names.
 Status checkParts(const Presentation& p, const std::map<std::string, const DicomSourceFile*>& files) {
   const auto check = [&](const auto& parts) {
     for (const auto& part : parts)

@@ -33,7 +33,7 @@ bool hasSegments(const SegmentsFile& file) {
   return std::ranges::any_of(file.maps, [](const Segmented& map) { return !map.segments.empty(); });
 }
 
-// Returns the segments on the image's own grid.
+// Returns the segments on the grid of the image.
 Result<SegmentsFile> segmentsOfImage(const std::string& path, const Progress& progress,
                                      const CancelToken& cancel) {
   const auto header = readImageHeader(path, cancel);
@@ -58,8 +58,8 @@ bool haveOneInCommon(const std::vector<std::string>& pictures,
   return std::ranges::any_of(pictures, [&](const std::string& uid) { return others.contains(uid); });
 }
 
-// True if both are in one space. Two objects that name the same images are, even if their frames of reference
-// differ.
+// Returns true if two objects lie in one space. Objects that reference the same images do, even if their
+// frames of reference differ.
 bool areTogether(const std::string& frame, const std::vector<std::string>& pictures,
                  const std::string& otherFrame, const std::vector<std::string>& otherPictures) {
   return frame.empty() || otherFrame.empty() || frame == otherFrame ||
@@ -162,7 +162,7 @@ SegmentsFile toldApart(SegmentsFile file, const std::string& path) {
   return file;
 }
 
-// Reads an image or a DICOM object, whichever the contents of the file are.
+// Reads an image or a DICOM object, depending on the contents of the file.
 template <class OfImage, class OfObject>
 Result<SegmentsFile> readAs(const std::string& path, const OfImage& ofImage, const OfObject& ofObject) try {
   std::error_code none;

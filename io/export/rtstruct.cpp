@@ -34,7 +34,7 @@ struct WrittenRegion {
   double mm3 = 0;  // volume inside the contours
 };
 
-// Rounds mm so that a point is at most 1/1000 pixel off, and far less than 0.01 mm.
+// Rounds mm so that a point moves by at most 1/1000 pixel, and by far less than 0.01 mm.
 double roundedTo(double mm, double pixel) {
   const double places = std::pow(10, std::ceil(-std::log10(std::min(pixel, 1.0) / 1000)));
   return std::round(mm * places) / places;
@@ -57,7 +57,7 @@ std::string contourData(const std::vector<glm::ivec2>& outline, const DicomSourc
 // Makes the contours of the segments on the slices of a series.
 class RegionMaker {
  public:
-  // `distance` from slice to slice of the grid is in mm.
+  // `distance` is the spacing of the grid's slices in mm.
   RegionMaker(const DicomSource& source, glm::ivec2 size, double distance)
       : source_(source), size_(size), distance_(distance) {
     const glm::dvec3 normal = glm::cross(place(0).right, place(0).down);
@@ -67,11 +67,11 @@ class RegionMaker {
     for (const double share : sharesOf(places)) sharesMm_.push_back(share * distance);
   }
 
-  // `frames` holds one segment.
+  // Adds the contours of `frames`, which hold one segment.
   void add(const SegmentationFrames& frames, WrittenRegion& region) const {
     const std::vector<std::uint8_t> bits = frames.bits().bytes();
     std::vector<std::uint8_t> pixels(std::size_t(size_.x) * std::size_t(size_.y));
-    // Slices of the grid where one is missing stay empty when the contours are read.
+    // A grid slice without an acquired slice stays empty when the contours are read.
     const bool isUneven = !frames.slicesBetween().empty();
     int number = 0;
     for (std::size_t n = 0; n < frames.frames().size(); ++n) {
@@ -84,7 +84,7 @@ class RegionMaker {
     }
   }
 
-  // True if a slice does not lie across the z axis.
+  // Returns true if a slice is not perpendicular to the z axis.
   bool isOblique() const {
     constexpr double off = 1e-4;
     const glm::dvec3 normal = glm::cross(place(0).right, place(0).down);

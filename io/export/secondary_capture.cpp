@@ -19,7 +19,7 @@ void appendWord(std::vector<std::uint8_t>& bytes, std::size_t value) {
   for (int shift = 0; shift < 32; shift += 8) bytes.push_back(std::uint8_t(value >> shift));
 }
 
-// Returns tag and length of an item (PS3.5 A.4).
+// Returns the header of an item: tag and length (PS3.5 A.4).
 std::vector<std::uint8_t> itemHead(std::uint32_t tag, std::size_t length) {
   std::vector<std::uint8_t> bytes;
   appendWord(bytes, std::size_t(tag & 0xffff) << 16 | tag >> 16);
@@ -27,7 +27,7 @@ std::vector<std::uint8_t> itemHead(std::uint32_t tag, std::size_t length) {
   return bytes;
 }
 
-// Returns one frame as RLE (PS3.5 G): a plane of each colour, every row by itself.
+// Returns one frame as RLE (PS3.5 G): one plane for each colour, each row encoded by itself.
 std::vector<std::uint8_t> rleFrame(std::span<const std::uint8_t> rgb, int columns) {
   constexpr std::size_t headWords = 16;
   std::vector<std::uint8_t> head, segments;
@@ -62,7 +62,7 @@ DicomElements pixelModule(glm::ivec2 size) {
           {0x00280103, "0"}};
 }
 
-// Multi-frame and Cine.
+// Returns the modules Multi-frame and Cine.
 DicomElements framesModule(int frames, double frameMs) {
   const std::string perSecond = std::to_string(std::max(1L, std::lround(1000 / frameMs)));
   return {{0x00280008, std::to_string(frames)},
@@ -75,7 +75,7 @@ DicomElements framesModule(int frames, double frameMs) {
           {0x00181244, "0"}};
 }
 
-// What was once compressed with loss stays marked so (PS3.3 C.7.6.1.1.5).
+// Returns the loss of earlier compressions, which stays declared (PS3.3 C.7.6.1.1.5).
 DicomElements lossOf(const StudyObject& object) {
   DicomElements all = {{0x00282110, "00"}};
   if (object.valueOfSource(0x00282110) != "01") return all;

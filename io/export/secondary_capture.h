@@ -10,41 +10,42 @@
 
 namespace volumen {
 
-/// What a Secondary Capture says of itself.
+/// Attributes of a written Secondary Capture, and how its pixels are stored.
 struct CaptureTags : ObjectTags {
-  std::string derivation{};         ///< how the picture was made: scene hash, level, stated error
-  bool hasNames = true;             ///< texts that tell who the patient is are drawn into it
-  std::optional<bool> showsFace{};  ///< a face can be recognised in it; empty: not known
-  double frameMs = 100;             ///< time from frame to frame
-  bool rle = false;                 ///< compress without loss (RLE); else the pixels are written as they are
-  /// The pictures shown: indices of Series::files; empty: all of the series.
+  std::string derivation{};         ///< DerivationDescription: scene hash, level of detail, stated error
+  bool hasNames = true;             ///< true if texts in the picture identify the patient
+  std::optional<bool> showsFace{};  ///< true if a face can be recognised in it; empty if unknown
+  double frameMs = 100;             ///< time from frame to frame, ms
+  bool rle = false;                 ///< true to compress without loss (RLE), false to write native pixels
+  /// The pictures shown, as indices of Series::files. Empty stands for all of the series.
   std::vector<std::size_t> slices{};
 };
 
-/// Checks that a Secondary Capture can hold so many frames of `size` (columns x rows). The Error names
-/// `path`.
+/// Returns an Error that names `path` if a Secondary Capture cannot hold `frames` frames of `size` (columns
+/// x rows).
 Status checkCaptureFrames(const std::string& path, glm::ivec2 size, int frames, const CaptureTags& tags);
 
-/// Returns the elements of a Secondary Capture made of `pictures` that patient, study and series do not have.
+/// Returns the elements of a Secondary Capture made of `pictures`, except those of patient, study and
+/// series. `size` is columns x rows.
 DicomElements captureElements(const StudyObject& object, const Series& series, const CaptureTags& tags,
                               std::span<const SourcePicture> pictures, glm::ivec2 size, int frames);
 
-/// Writes pictures as a Secondary Capture into a new file: one as Secondary Capture Image, several as
-/// Multi-frame True Color (PS3.3 A.8.1, A.8.5); RGB, 8 bits. Frames are written as they come. The file
-/// appears with finish(), or not at all. Nothing in it lets anyone measure on the pictures.
+/// Writes 8-bit RGB pictures as a Secondary Capture into a new file. One picture becomes a Secondary Capture
+/// Image, several become a Multi-frame True Color one (PS3.3 A.8.1, A.8.5). Each frame is written when it is
+/// added. The file appears with finish(), or not at all. It has no pixel spacing or position, so readers
+/// cannot measure on it.
 class SecondaryCapture {
  public:
-  /// Writes what stands before the pixels. `size` is columns x rows. The Error: the path exists or cannot be
-  /// written, the series is not from DICOM files, a frame has no pixels or more than 65535 rows or columns,
-  /// or uncompressed frames are more than the 4 GB that a DICOM file holds.
+  /// Writes all elements before the pixels. `size` is columns x rows. Returns an Error if `path` exists or
+  /// cannot be written, if the series is not from DICOM files, or if the frames fail checkCaptureFrames().
   static Result<SecondaryCapture> begin(const std::string& path, const Series& series,
                                         const CaptureTags& tags, glm::ivec2 size, int frames,
                                         const Progress& progress = {}, const CancelToken& cancel = {});
 
-  /// Writes the next frame: 3 bytes a pixel, first row on top. The Error: it has another size, is one too
-  /// many, or the disk is full.
+  /// Writes the next frame: 3 bytes a pixel, top row first. Returns an Error if it has another size, is one
+  /// too many, or the disk is full.
   Status add(std::span<const std::uint8_t> rgb);
-  /// Completes the file. The Error: frames are missing, or the path exists by now.
+  /// Completes the file. Returns an Error if frames are missing or `path` exists by now.
   Status finish();
 
  private:

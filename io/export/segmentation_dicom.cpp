@@ -58,7 +58,7 @@ Status writeObject(const SegmentationElements& elements, const SegmentationFrame
   return out->commit();
 }
 
-// Notes for uneven series: names the acquired slices between grid slices.
+// Returns notes that name the acquired slices of uneven series that lie between grid slices.
 std::vector<std::string> notesOfSlices(const SegmentationFrames& frames, const Series& series) {
   constexpr std::size_t mostNamed = 50;
   std::vector<std::string> names;

@@ -28,15 +28,15 @@ struct SegmentVoxels {
 };
 
 /// Writes segments on a grid of a DICOM series as a segmentation object (SEG, BINARY; PS3.3 A.51) into
-/// `path`. The file is Explicit VR Little Endian and appears whole or not at all.
+/// `path`, as a new series in the study of its images. The file is Explicit VR Little Endian and appears
+/// whole or not at all.
 /// Its frames lie pixel by pixel on the acquired slices of the series and reference them. A pixel is set if
-/// the voxel that contains its centre is. All maps (all masks) have one grid. The object is a new series in
-/// the study of its images. Segments are renumbered from 1 and keep names, codes and colours. UIDs derive
-/// from contents and tags.
-/// Returns notes for the user: voxels where there is no image, segments without a code (written as "Tissue"),
-/// names shortened to 64 characters. The Error: the series is not from DICOM files, or these have changed or
-/// have no position or UIDs of their own (checkNames()). Also: no slice has a marked pixel, the file cannot
-/// be written, or the export was cancelled.
+/// the voxel that contains its centre is set. All maps (or masks) must have one grid. Segments are
+/// renumbered from 1 and keep names, codes and colours. UIDs are derived from contents and tags.
+/// Returns notes for the user: voxels outside the images, segments without a code (written as "Tissue"),
+/// names shortened to 64 characters. Returns an Error if the file cannot be written, no slice has a marked
+/// pixel, or the export was cancelled. Also returns an Error if the series is not from DICOM files, or if
+/// its files have changed or lack positions or UIDs of their own (checkNames()).
 Result<std::vector<std::string>> writeSegmentationDicom(std::span<const Segmented> maps, const Series& series,
                                                         const SegmentationTags& tags, const std::string& path,
                                                         const Progress& progress = {},

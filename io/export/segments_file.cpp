@@ -32,7 +32,7 @@ std::int64_t voxelsMarked(const LabelMap& labels) {
   return labels.geometry().voxelCount() - labelCounts(labels)[0];
 }
 
-// Counts the labelled voxels in each slice that counts(voxel) is true for.
+// Returns for each slice the number of labelled voxels for which counts(voxel) is true.
 template <class Counts>
 std::vector<std::int64_t> voxelsBySlice(const LabelMap& labels, const Counts& counts) {
   const glm::ivec3 size = labels.geometry().size;
@@ -49,7 +49,7 @@ std::vector<std::int64_t> voxelsBySlice(const LabelMap& labels, const Counts& co
   return all;
 }
 
-// Counts labelled voxels with their centre outside a grid.
+// Returns the number of labelled voxels with their centre outside a grid.
 std::int64_t voxelsOutside(const LabelMap& labels, const VoxelGeometry& grid) {
   const VoxelGeometry& own = labels.geometry();
   const auto counts =
@@ -57,14 +57,14 @@ std::int64_t voxelsOutside(const LabelMap& labels, const VoxelGeometry& grid) {
   return std::accumulate(counts.begin(), counts.end(), std::int64_t(0));
 }
 
-// Returns the volume of labels on slices as acquired, in mm^3.
+// Returns the volume of labels on acquired slices, in mm^3.
 double mm3OnSlices(const LabelMap& onSlices, const std::vector<double>& places, const VoxelGeometry& grid) {
   const auto counts = voxelsBySlice(onSlices, [](glm::ivec3) { return true; });
   const std::vector<double> shares = sharesOf(places);
   return grid.voxelVolume() * std::inner_product(counts.begin(), counts.end(), shares.begin(), 0.0);
 }
 
-// Counts set pixels of a segmentation with their centre outside a grid.
+// Returns the number of set pixels of a segmentation with their centre outside a grid.
 std::int64_t pixelsOutside(const Segmentation& s, const VoxelGeometry& grid) {
   std::vector<std::int64_t> counts(s.frames.size());
   parallelFor(std::int64_t(s.frames.size()), 0, [&](std::int64_t begin, std::int64_t end) {
@@ -87,7 +87,8 @@ struct Moved {
   double outside = 0;  // volume in the file that lies outside the series
 };
 
-// `how` says what was done to the segments.
+// Adds notes about a change of volume. `how` describes the resampling and may be empty. Returns an Error if
+// all segments lie outside.
 Status noteMoved(SegmentsFile& file, const std::string& how, const std::string& whose, const Moved& moved) {
   if (moved.after == 0 && moved.outside >= moved.before)
     return Error{"All of its segments lie outside " + whose + "."};
@@ -137,7 +138,7 @@ Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid, const 
 
 namespace {
 
-// Notes what it changes that each slice of the grid has what the nearest acquired one has.
+// Adds notes about the change of volume when each grid slice takes the labels of the nearest acquired slice.
 Status noteSpread(SegmentsFile& file, double outside, const AcquiredSlices& slices,
                   const VoxelGeometry& grid) {
   constexpr double unchanged = 0.005;
@@ -171,7 +172,7 @@ Result<SegmentsFile> onGrid(const Segmentation& s, const VoxelGeometry& grid, co
   std::int64_t before = 0, after = 0;
   for (std::size_t n = 0; n < s.segments.size(); ++n) before += pixelsOf(s, n);
   for (const Segmented& map : file.maps) after += voxelsMarked(map.labels);
-  if (before == after) return file;  // the grid holds each pixel
+  if (before == after) return file;  // each pixel has its own voxel
   const Moved moved{double(before) * pixel, double(after) * grid.voxelVolume(),
                     double(pixelsOutside(s, grid)) * pixel};
   if (Status status = noteMoved(file, toNearest("", "the series"), "the series", moved); !status)

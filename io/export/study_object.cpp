@@ -14,7 +14,7 @@ namespace volumen {
 
 namespace {
 
-constexpr int highestNumber = 0x7fffffff;  // of VR IS
+constexpr int highestNumber = 0x7fffffff;  // the largest value of VR IS
 
 int seriesNumberOf(const SeriesIdentity& series) {
   int number = 0;
@@ -23,7 +23,7 @@ int seriesNumberOf(const SeriesIdentity& series) {
   return number;
 }
 
-// Returns the number above all others, or the largest one that is free.
+// Returns the number above all others. If the highest is taken, returns the largest free one.
 int freeNumber(const std::set<int>& taken) {
   int number = taken.empty() ? 0 : std::max(*taken.rbegin(), 0);
   if (number < highestNumber) return number + 1;
@@ -48,7 +48,8 @@ ObjectTags datedNow(ObjectTags tags) {
   return tags;
 }
 
-// Converts the texts of elements to a character set; returns false if it does not hold one of them.
+// Converts the texts of elements from UTF-8 to a character set. Returns false if the set does not hold one
+// of them.
 bool convertTo(const std::string& characterSet, DicomElements& elements) {
   for (DicomElement& e : elements) {
     auto converted = dicom::fromUtf8(e.value, characterSet);
@@ -163,7 +164,7 @@ std::vector<SourcePicture> picturesOf(const DicomSource& source, std::span<const
 
 void putInStudy(const DicomElements& ofStudy, const std::string& characterSet, const std::string& studyUid,
                 const DicomElements& made, DcmItem& into) {
-  // Patient and study have to be there even where the source does not say them (types 1 and 2).
+  // Some elements of patient and study are required (types 1 and 2) even if the source lacks them.
   put(patientModule({}), into);
   put(studyModule({}, studyUid), into);
   DicomElements converted = made, study = ofStudy;

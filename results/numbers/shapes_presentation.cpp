@@ -11,7 +11,7 @@ namespace {
 
 constexpr const char* shapesLayer = "MEASUREMENTS";
 
-// Returns the name of a shape, and its number below.
+// Returns the text of a shape: its name, and its measured numbers on the lines below.
 std::string wordsOf(const Shape& shape, const std::optional<Measured>& measured) {
   QStringList lines;
   if (const QString name = shownText(shape.name); !name.isEmpty()) lines << name;
@@ -19,7 +19,7 @@ std::string wordsOf(const Shape& shape, const std::optional<Measured>& measured)
   return lines.join(QStringLiteral("\r\n")).toStdString();
 }
 
-// Returns where a shape is on the pictures; empty if it is on a frame of others.
+// Returns the images that a shape is on; empty if it is on a frame of another series.
 std::optional<MeasuredOn> placeOf(const ShapeToMeasure& one, const SeriesPictures& pictures,
                                   glm::dvec2 pixelMm) {
   if (!one.shape.frame) return placeIn(*one.volume);
@@ -28,7 +28,7 @@ std::optional<MeasuredOn> placeOf(const ShapeToMeasure& one, const SeriesPicture
   return MeasuredOn{&pictures.series, {}, {}, {}, false, *frame, pixelMm};
 }
 
-// Adds a shape, or returns in `why` the reason to leave it out.
+// Adds a shape to `shown`. If it must be left out, sets `why` to the reason.
 Status draw(const ShapeToMeasure& one, const Result<Measured>& found, const SeriesPictures& pictures,
             Presentation& shown, glm::dvec2 pixelMm, const char*& why) {
   why = "is on none of the pictures";

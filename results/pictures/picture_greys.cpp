@@ -20,8 +20,8 @@ std::vector<NamedGrey> through(const std::optional<Window>& window, std::vector<
   return {{{}, throughWindow(greys.front().mapping, *window)}};
 }
 
-// Returns a mapping of stored values that shows the same. LINEAR has its middle half a value lower and is one
-// value narrower (PS3.3 C.11.2.1.2.1).
+// Returns a mapping of stored values that shows the same greys. The ramp of LINEAR is centred half a value
+// lower and is one value narrower than its window (PS3.3 C.11.2.1.2.1).
 GreyMapping ofStored(GreyMapping grey, const ValueMapping& values) {
   const double one = grey.function == WindowFunction::linear ? 1 : 0;
   grey.window.centre = (grey.window.centre - one / 2 - values.intercept) / values.slope + one / 2;
@@ -29,7 +29,8 @@ GreyMapping ofStored(GreyMapping grey, const ValueMapping& values) {
   return grey;
 }
 
-// Turns the greys of pictures with different rescales into those of stored values.
+// Converts the greys of pictures with different rescales to stored values. Returns an Error if a lookup
+// table or a slope of 0 or less prevents it.
 Status useStoredValues(std::vector<PictureGrey>& pictures) {
   for (PictureGrey& picture : pictures) {
     for (NamedGrey& grey : picture.greys) {
@@ -50,7 +51,7 @@ bool haveSameGreys(const PictureGrey& a, const PictureGrey& b) {
   });
 }
 
-// Returns the greys, one part for all pictures with the same ones.
+// Returns one part for each group of pictures with the same greys.
 std::vector<Presentation::Greys> partsOf(const Series& series, std::span<const PictureGrey> pictures) {
   std::vector<std::pair<const PictureGrey*, std::vector<int>>> groups;
   for (const PictureGrey& picture : pictures) {
@@ -72,7 +73,7 @@ bool areAlike(const Frame& a, const Frame& b) {
          a.greys.front().mapping.inverted == b.greys.front().mapping.inverted;
 }
 
-/// Collects pictures one by one.
+/// Collects the greys of pictures that are added one by one.
 class GreysCollector {
  public:
   GreysCollector(const SeriesPictures& chosen, const std::optional<Window>& window)

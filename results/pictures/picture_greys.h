@@ -10,29 +10,30 @@
 
 namespace volumen {
 
-/// Pictures of one series.
+/// Chosen pictures of one series.
 struct SeriesPictures {
   Series series;
-  std::vector<int> indices;  ///< of its frames, ascending; never empty
+  std::vector<int> indices;  ///< frame indices, ascending; never empty
 };
 
-/// Returns how pictures with this mapping are shown through another window. LINEAR is for widths from 1 on
-/// (slices.md 3); narrower ones follow LINEAR_EXACT.
+/// Returns `grey` with another window and without its lookup table. LINEAR requires widths of at least 1
+/// (slices.md 3), so narrower windows become LINEAR_EXACT.
 GreyMapping throughWindow(GreyMapping grey, const Window& window);
 
-/// Returns references to pictures of a series by index, each image once with its frames.
+/// Returns references to pictures of a series by frame index. Each image is listed once, with its frames.
 std::vector<ReferencedPicture> picturesAt(const Series& series, const std::vector<int>& indices);
 
-/// How pictures show their values: a presentation, and the first picture.
+/// Says how pictures show their values.
 struct PictureGreys {
   Presentation presentation;       ///< pictures, values, windows and inversion
-  Frame first;                     ///< without values
-  std::vector<std::string> notes;  ///< sentences for the user
+  Frame first;                     ///< the first picture, without values
+  std::vector<std::string> notes;  ///< whole sentences for the user
 };
 
-/// Reads pictures and how they show their values: through `window`, by default through their own windows and
-/// lookup tables. Pictures of different rescales (PET) have a window each, in stored values. The Error: a
-/// picture cannot be read or is in colour, or pictures are not alike, so that one presentation is not enough.
+/// Reads how pictures show their values: through `window`, or by default through their own windows and
+/// lookup tables. If rescales differ (PET), each picture has its own window in stored values. Returns an
+/// Error if a picture cannot be read or is in colour, or if the pictures differ too much for one
+/// presentation.
 Result<PictureGreys> greysOfPictures(const SeriesPictures& chosen, const std::optional<Window>& window,
                                      const CancelToken& cancel);
 

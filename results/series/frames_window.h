@@ -8,12 +8,12 @@
 
 namespace volumen {
 
-/// Returns the first and the last of the frames that share a window with frame `index` where files have none:
-/// all of a series, but those of one file where pictures areMadeOneByOne().
+/// Returns the indices of the first and last frame that share a window with frame `index` if files define
+/// none. These are all frames of the series, or those of one file if areMadeOneByOne().
 std::pair<int, int> framesOfOneWindow(const Series& series, int index);
 
-/// Returns P0.1 .. P99.9 of frames `first` to `last`, or of nine evenly spaced ones among them. Returns
-/// nothing if none can be read. Slow.
+/// Returns the window from percentile 0.1 to 99.9 of frames `first` to `last`, or of nine evenly spaced ones
+/// among them. The result is empty if no frame can be read. Reads files, so it is slow.
 std::optional<Window> windowOfFrames(const Series& series, int first, int last);
 
 }  // namespace volumen

@@ -3,7 +3,6 @@
 #include <QComboBox>
 
 #include "results/text/measured_text.h"
-#include "results/text/text.h"
 #include "tests/ui/report_window.h"
 #include "tests/unit/suite.h"
 #include "ui/exports/flat_pictures.h"

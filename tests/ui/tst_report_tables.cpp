@@ -4,6 +4,7 @@
 #include <QProcess>
 #include <QStandardPaths>
 
+#include "results/text/text.h"
 #include "tests/ui/numbers_table.h"
 #include "tests/ui/report_window.h"
 #include "tests/unit/suite.h"

@@ -7,22 +7,23 @@
 
 namespace volumen {
 
-/// The slices of a series as acquired, beside the evenly spaced grid resampled from them. Empty if both are
-/// the same.
+/// The acquired slices of a series whose evenly spaced grid was resampled from them. Empty if both are the
+/// same.
 struct AcquiredSlices {
   VolumePtr volume{};            ///< Values, slice after slice
   std::vector<double> places{};  ///< Position of each slice along k of the grid, in grid slices
 };
 
-/// Returns a mask of the grid on the slices as acquired, by nearest neighbour along k. Runs on all cores.
+/// Returns a mask of the grid on the acquired slices. Each slice takes the nearest grid slice. Runs on all
+/// cores.
 BitMask onAcquired(const BitMask& mask, const AcquiredSlices& slices);
 
-/// Returns a mask of the slices as acquired on the grid that was resampled from them: each slice of the grid
-/// has what the nearest one along k has. Runs on all cores.
+/// Returns a mask of the acquired slices on `grid`, which was resampled from them. Each grid slice takes the
+/// nearest acquired slice along k. Runs on all cores.
 BitMask fromAcquired(const BitMask& onSlices, const AcquiredSlices& slices, const VoxelGeometry& grid);
 
-/// Returns the length along k that belongs to each slice: half way to its neighbours, half a grid slice
-/// beyond the outermost ones. `places` (in grid slices, in any order) may not be equal.
+/// Returns the length along k of each slice, in grid slices: half way to both neighbours, and half a grid
+/// slice beyond the outermost ones. `places` (in grid slices, in any order) must differ.
 std::vector<double> sharesOf(const std::vector<double>& places);
 
 }  // namespace volumen

@@ -25,7 +25,7 @@ std::vector<Plane> planesOf(const Segmentation& s) {
   return planes;
 }
 
-/// A segment on the grid and on the slices as acquired.
+/// The mask of a segment on the grid and on the acquired slices.
 struct TwoMasks {
   BitMask drawn;
   std::optional<BitMask> onSlices;
@@ -202,7 +202,7 @@ bool SegmentPlaces::holds(glm::dvec3 p) const {
   return pixel && isSet(*pixel);
 }
 
-// If the line runs within a plane, the nearest plane is constant and the pixel position linear.
+// If the line runs within a plane, the nearest plane is constant and the pixel position is linear.
 void SegmentPlaces::holdsAlong(glm::dvec3 pFirst, glm::dvec3 step, std::span<std::uint8_t> held) const {
   const auto placeOf = [&](std::size_t n) { return pFirst + double(n) * step; };
   if (std::abs(glm::dot(step, normal_)) * double(held.size()) > 1e-9) {
@@ -216,8 +216,8 @@ void SegmentPlaces::holdsAlong(glm::dvec3 pFirst, glm::dvec3 step, std::span<std
   for (std::size_t n = 0; n < held.size(); ++n) held[n] = isSet({first->frame, first->at + double(n) * on});
 }
 
-// Checking the corners of a slice suffices: positions are linear, and the region nearest to a plane is
-// convex.
+// Checking the corners of a slice suffices, because positions are linear and the region nearest to a plane
+// is convex.
 std::optional<std::size_t> SegmentPlaces::frameOn(const VoxelGeometry& grid, int k) const {
   constexpr double off = 0.49;  // less than half a pixel
   if (glm::ivec2(grid.size) != all_.size) return {};

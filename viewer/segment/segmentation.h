@@ -46,18 +46,19 @@ struct Segmentation {
 /// Returns the number of set pixels of a segment in all its frames.
 std::int64_t pixelsOf(const Segmentation& segmentation, std::size_t segment);
 
-/// Returns the grid of the segmentation's own planes, including empty ones between them. The Error means:
-/// they are not evenly spaced, or the grid would have 2^31 voxels or more.
+/// Returns the grid of the segmentation's own planes, including empty ones between them. Returns an Error if
+/// the planes are not evenly spaced or the grid would have 2^31 voxels or more.
 Result<VoxelGeometry> gridOf(const Segmentation& segmentation);
 
-/// Tests whether points lie in a segment: the nearest plane of the segment is at most half its thickness
-/// away, and the nearest pixel is set there. The segmentation must outlive it.
+/// Tests whether points lie in a segment. A point does if the nearest plane of the segment is at most half
+/// its thickness away and its nearest pixel is set. The segmentation must outlive this object.
 class SegmentPlaces {
  public:
   SegmentPlaces(const Segmentation& segmentation, std::size_t segment);
 
   bool holds(glm::dvec3 pPatient) const;
-  /// Tests points on a line, each `step` (mm) after the one before. Writes 1 for points inside, else 0.
+  /// Tests points on a line. The first is `pFirst`, and each is `step` (mm) after the one before. Writes 1
+  /// for points inside, else 0.
   void holdsAlong(glm::dvec3 pFirst, glm::dvec3 step, std::span<std::uint8_t> held) const;
   /// Sets the voxels of slice `k` of a mask whose centre lies in the segment. Fast if a plane matches the
   /// slice pixel by voxel.
@@ -95,11 +96,11 @@ class SegmentPlaces {
 BitMask maskOf(const Segmentation& segmentation, std::size_t segment, const VoxelGeometry& grid,
                const CancelToken& cancel = {});
 
-/// Returns all segments on a grid, ready for editing. They share one label map unless they overlap: a segment
-/// that shares a voxel with others, or finds no free label, goes to the first further map where it fits. Its
-/// number becomes its label, the one of its file if possible. The result is incomplete if cancelled.
-/// If the grid was resampled from `slices` and each plane lies on one of them, labels on the slices are
-/// returned too, and each slice of the grid has those of the nearest one.
+/// Returns all segments on a grid, ready for editing. They share one label map unless they overlap. A
+/// segment that shares a voxel with others, or finds no free label, goes to the first further map where it
+/// fits. Labels are the segment numbers of the file if possible. The result is incomplete if cancelled.
+/// If the grid was resampled from `slices` and each plane lies on one of them, labels on the acquired slices
+/// are returned too. Each grid slice then has the labels of the nearest one.
 std::vector<Segmented> segmentedOf(const Segmentation& segmentation, const VoxelGeometry& grid,
                                    const CancelToken& cancel = {}, const AcquiredSlices& slices = {});
 
