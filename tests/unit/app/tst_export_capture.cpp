@@ -1,5 +1,6 @@
-// Guards export.md: `volumen export --as sc` holds the pictures of `volumen render` and `volumen slice` pixel
-// for pixel, says how they were made, and --as pdf the bytes of a document; both lie in the source's study.
+// Guards export.md: `volumen export --as sc` holds the pictures of `volumen render` and `volumen slice`
+// pixel for pixel and says how they were made. `--as pdf` holds the bytes of a document. Both lie in the
+// source's study.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -48,7 +49,7 @@ Outcome pictureBy(const QString& command, const QString& path, const QString& op
   return runProgram(words + options.split(QLatin1Char(' '), Qt::SkipEmptyParts));
 }
 
-// Returns 3 bytes a pixel of a PNG.
+// Returns the pixels of a PNG as RGB, 3 bytes each.
 std::vector<std::uint8_t> rgbOfPng(const QString& png) {
   const QImage image = QImage(png).convertToFormat(QImage::Format_RGB888);
   std::vector<std::uint8_t> bytes;
@@ -153,7 +154,7 @@ void TestExportCapture::slicesAreThoseOfSlice() {
   QVERIFY(frame->rgb == rgbOfPng(png));
 }
 
-// A rendering, slices and a measured shape in one study, as their source would be.
+// Exports a rendering, slices and a measured shape, which must stay in one study.
 void TestExportCapture::identityIsLeftOut() {
   NEED_DATA(dataPath());
   const QString source = QString::fromStdString(dataPath("ct-chest-lidc0314-138"));

@@ -1,7 +1,6 @@
 // Guards export.md, films: `volumen export --as apng` writes the pictures of `volumen render` and `volumen
-// slice` bit for bit, and `--as mp4` nearly. A film has one picture a slice, time point or frame, all in one
-// window.
-// Wrong options are refused as usage.
+// slice` bit for bit, and `--as mp4` nearly so. A film has one picture for each slice, time point or frame,
+// all in one window. Wrong options are refused as wrong usage.
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -50,7 +49,8 @@ namespace {
 
 constexpr int filmPoints = 3;
 
-// Writes a file of three volumes of 8 x 8 x 8 voxels. `value` takes the number of a voxel and of its volume.
+// Writes a file of three volumes of 8 x 8 x 8 voxels. `value` takes the indices of a voxel and of its
+// volume.
 template <class Value>
 void writeTimePoints(const QString& path, const Value& value) {
   constexpr int voxels = 8 * 8 * 8;
@@ -70,7 +70,7 @@ QImage pictureIn(const QString& path) { return QImage(path).convertToFormat(QIma
 
 }  // namespace
 
-// A file of three volumes of 100, 200 and 300 all over.
+// The three volumes have the constant values 100, 200 and 300.
 void TestExportFilm::initTestCase() {
   writeTimePoints(at(QStringLiteral("time.nrrd")), [](int, int step) { return 100 * (step + 1); });
 }
@@ -99,7 +99,7 @@ void TestExportFilm::turnsAreThoseOfRender() {
 
 void TestExportFilm::stacksAreThoseOfSlice_data() {
   QTest::addColumn<QString>("options");
-  QTest::addColumn<double>("spacingMm");  // 0: slices are named by their number
+  QTest::addColumn<double>("spacingMm");  // 0: the acquired slices, chosen by index
   QTest::newRow("axial, the acquired slices") << QStringLiteral("--plane axial --window 40,400") << 0.0;
   QTest::newRow("coronal slabs") << QStringLiteral("--plane coronal --size 40x30 --mm-per-pixel 5 --slab 20")
                                  << 20.0;
@@ -139,8 +139,8 @@ void TestExportFilm::stacksAreThoseOfSlice() {
           0);
 }
 
-// Without --window, all time points are drawn in the window of the series that is opened first, so their
-// pictures differ as their values do.
+// Without --window, all time points are drawn in the window of the series that is opened first. Their
+// pictures then differ as their values do.
 void TestExportFilm::timePointsAreInOneWindow() {
   const QString path = at(QStringLiteral("time.png")), series = at(QStringLiteral("time.nrrd"));
   const Outcome done = run(QStringLiteral("export"), series,
@@ -164,7 +164,7 @@ void TestExportFilm::timePointsAreInOneWindow() {
   QVERIFY(ownFilm.pictures[0] != ownFilm.pictures[1]);
 }
 
-// The picture of each time point is that of `render` by the scene that the film says.
+// The picture of each time point is that of `render` with the scene that the film contains.
 void TestExportFilm::timePointsIn3dAreDrawnAlike() {
   const QString series = at(QStringLiteral("ramps.nrrd")), path = at(QStringLiteral("time-3d.png"));
   writeTimePoints(series, [](int n, int step) { return 100 * step + 30 * (n % 8); });
@@ -229,7 +229,8 @@ void TestExportFilm::clipsAreTheirFrames() {
   }
 }
 
-// Two slices of 100 and 200 all over are black and white: each by itself would be in a window of its own.
+// Two slices have the constant values 100 and 200. A common window makes them black and white. Windows of
+// their own would not.
 void TestExportFilm::framesWithoutAWindowShareOne() {
   const QString folder = at(QStringLiteral("two"));
   QVERIFY(QDir().mkpath(folder));
@@ -261,7 +262,7 @@ void TestExportFilm::mp4IsNearlyTheSame() {
   QVERIFY(contentsOf(mp4).contains("Not for clinical use"));
 }
 
-// Neither in the texts nor, as it names none, in the pictures, which are those of render and slice.
+// Checks only the texts of the film. Its pictures are those of render and slice, which name nobody.
 void TestExportFilm::namesAreInNoFilm() {
   NEED_DATA(dataPath());
   const QString source = QString::fromStdString(dataPath("ct-chest-lidc0314-138"));

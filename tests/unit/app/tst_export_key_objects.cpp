@@ -57,7 +57,7 @@ void TestExportKeyObjects::keyImagesAreThoseOfTheList() {
 
 void TestExportKeyObjects::wrongInputIsRefused_data() {
   QTest::addColumn<QString>("options");
-  QTest::addColumn<QByteArray>("shape");  // JSON of what follows its frame; empty: no file of shapes
+  QTest::addColumn<QByteArray>("shape");  // the JSON after its frame; empty: no file of shapes
   QTest::addColumn<int>("status");
   QTest::addColumn<QByteArray>("says");
   const auto row = [](const char* name, const QString& options, const char* shape, int status,

@@ -1,6 +1,6 @@
-// Guards export.md: whatever the script of the patient's name, each DICOM format of `volumen export` keeps
-// it, in valid DICOM that volumen, DCMTK and pydicom read alike. What is named here is kept in any script,
-// too.
+// Guards export.md: each DICOM format of `volumen export` keeps the patient's name in any script. The files
+// are valid DICOM that volumen, DCMTK and pydicom read alike. Titles, and names of shapes and segments, are
+// kept in any script, too.
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -28,8 +28,8 @@ using namespace volumen::tests;
 
 namespace {
 
-// A format as it is exported. Words in capitals stand for what the test makes; `isUtf8`: whatever its source
-// is in.
+// An export format and its options. Words in capitals stand for files and texts of the test. `isUtf8` is
+// true if the result is in UTF-8 whatever the source is in.
 struct NamedFormat {
   const char *what, *options;
   bool isUtf8 = false;
@@ -53,7 +53,7 @@ constexpr NamedFormat namedFormats[] = {
     {"slices of segments", "series --segments SEGMENTS", true},
     {"slices without segments", "series --segments SEGMENTS --without-segments", true}};
 
-// Returns the names of patients that volumen reads in a file or folder.
+// Returns the patients' names that volumen reads in a file or folder.
 std::set<std::string> patientsIn(const QString& path) {
   std::set<std::string> names;
   const Result<Study> study = openStudy(path.toStdString());
@@ -64,7 +64,7 @@ std::set<std::string> patientsIn(const QString& path) {
   return names;
 }
 
-// Returns what a shape, a segment or a title is called in a file that is in this character set.
+// Returns the name of a shape or segment, or the title, in a file with the character set `set`.
 QString titleIn(const QString& path, std::string_view what, const QByteArray& set) {
   const std::string file = path.toStdString();
   std::string text;
@@ -77,7 +77,8 @@ QString titleIn(const QString& path, std::string_view what, const QByteArray& se
   return set == "ISO_IR 192" ? QString::fromUtf8(title) : QString::fromLatin1(title);
 }
 
-// Returns the names of patients and physicians that pydicom reads, a line a file, or why not.
+// Returns the names of patients and physicians that pydicom reads, one line for each file, or its error
+// message.
 QStringList namesByPydicom(const QStringList& files) {
   const QString script = QStringLiteral(
       "import sys, pydicom\n"
@@ -107,21 +108,22 @@ class TestExportNames : public QObject {
 
  private:
   QString at(const QString& name) const { return folder_.filePath(name); }
-  // Writes the phantom with another name of the patient.
+  // Writes the phantom as a scan of a patient named `name`, in the character set `set`.
   void writeNamed(const QString& folder, const QByteArray& set, const QByteArray& name) const;
-  // Exports, with `title_` as title. Returns the file, of a series one amid it; empty if that failed.
+  // Exports with `title_` as title. Returns the file, or a file from the middle of a series. Returns an
+  // empty name if the export failed.
   QString exported(const QString& source, const NamedFormat& format, const QString& into) const;
   bool write(const QString& name, const QByteArray& bytes) const {
     QFile file(at(name));
     return file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size();
   }
-  // Has what is exported called so: shapes, segments, the title.
+  // Gives this name to the shapes, the segments and the document that are exported.
   bool setTitle(const QString& title);
 
   QTemporaryDir folder_;
   QString title_;
   QByteArray segments_, uid_;
-  double z_ = 0;  // of the image `uid_`
+  double z_ = 0;  // position of the image `uid_`
 };
 
 void TestExportNames::initTestCase() {
@@ -187,7 +189,7 @@ QString TestExportNames::exported(const QString& source, const NamedFormat& form
   return files.value(files.size() / 2);
 }
 
-// Those that are not here are no DICOM.
+// The formats that are not tested here are not DICOM.
 void TestExportNames::allFormatsAreHere() {
   const Outcome help = runProgram({QStringLiteral("export"), QStringLiteral("--help")});
   const QRegularExpression list(QStringLiteral("--as ([a-z0-9]+\\|[a-z0-9|]+)"));
@@ -216,7 +218,7 @@ void TestExportNames::patientsStay() {
              format.isUtf8 ? QByteArray("ISO_IR 192") : set);
     for (const DcmTagKey& tag : {DCM_PatientName, DCM_ReferringPhysicianName})
       QCOMPARE(QByteArray::fromStdString(stored.said(tag)), format.isUtf8 ? text.toUtf8() : name);
-    const bool isDocument = std::string_view(format.what) == "document";  // which nothing here reads
+    const bool isDocument = std::string_view(format.what) == "document";  // volumen reads no documents
     if (!isDocument) QCOMPARE(patientsIn(file), std::set{text.toStdString()});
     if (QStandardPaths::findExecutable(QStringLiteral("dciodvfy")).isEmpty()) continue;
     QCOMPARE(newErrors(file, files.constFirst().toStdString()), QStringList());
@@ -230,7 +232,7 @@ void TestExportNames::patientsStay() {
 
 void TestExportNames::titlesStay_data() {
   QTest::addColumn<QString>("text");
-  QTest::addColumn<QString>("shown");  // as it is read again
+  QTest::addColumn<QString>("shown");  // the text as read again
   QTest::addColumn<QByteArray>("set");
   const auto row = [](const char* what, const QString& text, const QString& shown, const char* set) {
     QTest::newRow(what) << text << shown << QByteArray(set);
@@ -253,7 +255,7 @@ void TestExportNames::titlesStay_data() {
   row("of two lines", QStringLiteral("one\ntwo"), QStringLiteral("one two"), "ISO_IR 100");
 }
 
-// In the study of Nuñez, which is in Latin-1.
+// The study is that of Nuñez, in Latin-1.
 void TestExportNames::titlesStay() {
   QFETCH(QString, text);
   QFETCH(QString, shown);
@@ -278,7 +280,7 @@ void TestExportNames::titlesStay() {
                                                                                             "ez")
                                                                                : QByteArray("Nu\xf1"
                                                                                             "ez"));
-    const bool isSeries = what.starts_with("slices");  // whose description may name segments
+    const bool isSeries = what.starts_with("slices");  // its description may name segments instead
     if (!isSeries) QCOMPARE(titleIn(file, what, set).simplified(), shown);
     if (QStandardPaths::findExecutable(QStringLiteral("dciodvfy")).isEmpty()) continue;
     QCOMPARE(newErrors(file, storedFilesIn(source).constFirst().toStdString()), QStringList());

@@ -1,5 +1,6 @@
-// Guards export.md: `volumen export --as gsps` writes a presentation state by which `volumen slice` and DCMTK
-// show the same greys as by the window itself, and draw shapes on the pixels they were measured on.
+// Guards export.md: `volumen export --as gsps` writes a presentation state. `volumen slice` and DCMTK show
+// the same greys with it as with the window itself. They draw shapes on the pixels on which they were
+// measured.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -57,7 +58,7 @@ class TestExportPresentation : public QObject {
     if (file.open(QIODevice::WriteOnly)) file.write(QByteArray::fromStdString(shapesToJson(shapes)));
     return {QStringLiteral("--roi"), file.fileName()};
   }
-  // Returns the bytes of `slice PATH --plane frame --index N OPTIONS`; those of the error if it fails.
+  // Returns the bytes of the picture of `slice PATH --plane frame --index N OPTIONS`, or its error message.
   QByteArray pictureOf(const std::string& path, int index, const QStringList& options) const {
     const QString file = at("picture.png");
     const Outcome done =
@@ -77,7 +78,7 @@ namespace {
 
 const QString windowOption = QStringLiteral("--window"), imagesOption = QStringLiteral("--images");
 
-// Returns the first volume at a path, else its first pictures as a series.
+// Returns the first volume at a path, or without volumes the first pictures as a series.
 std::optional<Series> picturesOf(const std::string& path) {
   const Result<Study> study = openStudy(path);
   if (!study) return {};
@@ -85,7 +86,7 @@ std::optional<Series> picturesOf(const std::string& path) {
   return frameSeries(*study).at(0);
 }
 
-// Returns the largest difference of greys of two pictures; 256 if their sizes differ.
+// Returns the largest grey difference of two pictures; 256 if their sizes differ.
 int mostApart(const QImage& a, const QImage& b) {
   if (a.size() != b.size() || a.isNull()) return 256;
   int most = 0;
@@ -114,9 +115,9 @@ double farthest(const std::vector<glm::dvec2>& found, const std::vector<glm::dve
 
 void TestExportPresentation::theSameIsShown_data() {
   QTest::addColumn<QString>("path");
-  QTest::addColumn<QString>("window");  // empty: a probe alone is written, and the own windows stay
+  QTest::addColumn<QString>("window");  // empty: only a probe is written, and the pictures keep their windows
   QTest::addColumn<int>("index");
-  QTest::addColumn<bool>("isRounded");  // windows in stored values have 16 characters
+  QTest::addColumn<bool>("isRounded");  // true if the window in stored values is rounded to 16 characters
   const auto row = [](const char* name, const char* path, const char* window, int index,
                       bool isRounded = false) {
     QTest::newRow(name) << QString::fromLatin1(path) << QString::fromLatin1(window) << index << isRounded;
@@ -208,7 +209,8 @@ void TestExportPresentation::shapesAreDrawnOnTheirPixels() {
   const auto series = picturesOf(data);
   QVERIFY(series && series->acquired.size.z > 2);
   const VoxelGeometry& grid = series->acquired;
-  const int slice = series->regular ? 0 : grid.size.z / 2;  // the first one is drawn as acquired
+  const int slice =
+      series->regular ? 0 : grid.size.z / 2;  // in regular series, the first slice is drawn as acquired
   const double x = grid.size.x / 2, y = grid.size.y / 2;
   const auto p = [&](double a, double b) { return grid.patientFromVoxel({x + a, y + b, slice}); };
   const glm::dmat3& step = grid.patientFromVoxelStep;

@@ -1,5 +1,5 @@
-// Guards export.md: other programs read what `volumen export` writes. The code of OHIF (npm packages dcmjs and
-// @cornerstonejs/adapters) shows the numbers of `volumen measure` and the voxels of segments.
+// Guards export.md: other programs read what `volumen export` writes. The code of OHIF (npm packages dcmjs
+// and @cornerstonejs/adapters) reads the numbers of `volumen measure` and the voxels of segments.
 #include <QDir>
 #include <QFile>
 #include <QJsonArray>
@@ -25,7 +25,7 @@ class TestExportReaders : public QObject {
 
  private:
   QString at(const char* name) const { return folder_.filePath(QLatin1String(name)); }
-  // Returns what the reader makes of a file.
+  // Returns the content that the reader finds in a file.
   QJsonObject readBy(const QStringList& arguments) const;
 
   QTemporaryDir folder_;
@@ -74,13 +74,13 @@ void TestExportReaders::measurementsComeBackToLife() {
         read[QLatin1String(tool)][0][QStringLiteral("stats")][QLatin1String(stat)].toDouble(HUGE_VAL);
     return qAbs(value - known[shape][QLatin1String(number)].toDouble()) / qAbs(value);
   };
-  constexpr double digits = 1e-13;  // of a decimal string
+  constexpr double digits = 1e-13;  // the precision of a decimal string
   QVERIFY(differs("Length", "length", 0, "number") < digits);
   QVERIFY(differs("EllipticalROI", "area", 1, "number") < digits);
   QVERIFY(differs("EllipticalROI", "mean", 1, "mean") < digits);
   QVERIFY(differs("Angle", "angle", 2, "number") < digits);
   QVERIFY(differs("Probe", "value", 3, "number") < digits);
-  // In pixels of 0.78125 mm; the centre of the first one is at -201, -59.
+  // The reader counts in pixels of 0.78125 mm. The centre of the first pixel is at -201, -59 mm.
   const QJsonArray end = read[QStringLiteral("Length")][0][QStringLiteral("points")][0].toArray();
   QVERIFY(qAbs(end[0].toDouble() - (-20 + 201) / 0.78125) < 1e-3);
   QVERIFY(qAbs(end[1].toDouble() - (100 + 59) / 0.78125) < 1e-3);

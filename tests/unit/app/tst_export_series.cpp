@@ -1,5 +1,5 @@
-// Guards export.md: `volumen export --as series` writes the slices that `volumen slice` makes of a stack of
-// planes, at their places, as a new series in the study of their source.
+// Guards export.md: `volumen export --as series` writes a new series in the study of its source. Its slices
+// are those that `volumen slice` makes of a stack of planes, at their positions.
 #include <QDir>
 #include <QTemporaryDir>
 #include <cmath>
@@ -56,7 +56,8 @@ class TestExportSeries : public QObject {
                       options);
   }
   QString ofRow() const { return folder_.filePath(QString::fromUtf8(QTest::currentDataTag())); }
-  // Makes the series of a row once. Empty if that failed.
+  // Exports with the options of a row, once for all tests. Returns the folder of the series; empty if that
+  // failed.
   QString seriesOfRow(const QStringList& options);
 
   QTemporaryDir folder_;
@@ -144,8 +145,8 @@ void TestExportSeries::slicesAreThoseOfTheirPlanes() {
   QVERIFY2(fault.isEmpty(), qPrintable(fault));
 }
 
-// dciodvfy finds no error that the source does not have. The tilted CT names its method of de-identification,
-// but gives none.
+// dciodvfy finds no error that the source does not have. The tilted CT declares that it was de-identified,
+// but gives no method.
 void TestExportSeries::theyAreValid() {
   QFETCH(QString, source);
   QFETCH(QString, options);
@@ -158,7 +159,7 @@ void TestExportSeries::theyAreValid() {
 
 void TestExportSeries::axialSlicesAreTheSource_data() {
   QTest::addColumn<QString>("source");
-  QTest::addColumn<bool>("isSquare");  // voxels are no longer in slices than across
+  QTest::addColumn<bool>("isSquare");  // true if the default pixel size is the in-plane spacing
   QTest::newRow("CT") << QString::fromLatin1(ctOfChest) << true;
   QTest::newRow("CT of a head") << QStringLiteral("dicom-geometry/ct-head-slicer-93") << false;
   QTest::newRow("PET") << QStringLiteral("pet-ct/sts019-pet") << false;
@@ -242,14 +243,14 @@ void TestExportSeries::theSeriesIsNewInItsStudy() {
 
 void TestExportSeries::slicesNameTheirSources_data() {
   QTest::addColumn<QString>("options");
-  QTest::addColumn<int>("sources");  // of each slice
+  QTest::addColumn<int>("sources");  // number of source images of each slice
   QTest::newRow("a slice of the source") << QStringLiteral("--index 70") << 1;
   QTest::newRow("a slab of three") << QStringLiteral("--index 70 --slab 4.5") << 3;
   QTest::newRow("across all") << QStringLiteral("--plane sagittal --at 0") << 138;
 }
 
-// Slices of the chest are 2 mm apart. The samples of the slab reach 1.8 mm to either side, among three
-// slices.
+// Slices of the chest are 2 mm apart. The samples of the slab reach 1.8 mm to either side, so they lie among
+// three slices.
 void TestExportSeries::slicesNameTheirSources() {
   QFETCH(QString, options);
   QFETCH(int, sources);
@@ -313,7 +314,7 @@ void TestExportSeries::wrongInputIsRefused() {
   QVERIFY(QDir(folder.path()).isEmpty(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot));
 }
 
-// Root writes into read-only folders, too, but not below /proc.
+// Root can write into read-only folders, but not below /proc.
 void TestExportSeries::foldersThatCannotBeUsedAreRefused() {
   const QTemporaryDir folder;
   QFile file(folder.filePath(QStringLiteral("notes.txt")));

@@ -1,5 +1,5 @@
-// Guards export.md: objects name pictures by UIDs of their own or not at all, and have the elements that
-// their class needs, and no others.
+// Guards export.md: exported objects reference pictures by UIDs of their own or not at all. They have the
+// elements that their class needs, and no others.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dctk.h>
 
@@ -34,9 +34,11 @@ class TestExportValid : public QObject {
   void narrowWindowsAreExact();
 
  private:
-  // Runs `export PATH -o out --as OPTIONS`, in which words stand for the files of the test.
+  // Runs `export PATH -o out.dcm --as OPTIONS`. Words in capitals in the options stand for files of the
+  // test.
   Outcome exported(const QString& path, const QString& options) const;
-  // Writes three slices that lack something: "series" or "instance" their UIDs, "own" different ones.
+  // Writes three slices. `lack` says which UIDs they lack: "series", "instance", or "own" ones, so that all
+  // share one.
   void writeScans(const DicomFolder& scans, const QString& lack) const;
   QString at(const char* name) const { return folder_->filePath(QString::fromLatin1(name)); }
 
@@ -45,7 +47,7 @@ class TestExportValid : public QObject {
 
 namespace {
 
-// Returns the bytes of the picture of `slice PATH --plane frame --index N OPTIONS`, or of what it says.
+// Returns the bytes of the picture of `slice PATH --plane frame --index N OPTIONS`, or its error message.
 QByteArray framePicture(const QString& path, int index, const QStringList& options) {
   const QTemporaryDir folder;
   const QString file = folder.filePath(QStringLiteral("picture.png"));
@@ -183,7 +185,7 @@ void TestExportValid::elementsFitTheClass_data() {
   row("no inversion, no inversion time", head, "InversionTime", false);
 }
 
-// On their own grid. dciodvfy finds no error that the source does not have.
+// Series are exported on their own grid. dciodvfy finds no error that the source does not have.
 void TestExportValid::elementsFitTheClass() {
   QFETCH(QString, source);
   QFETCH(QByteArray, element);

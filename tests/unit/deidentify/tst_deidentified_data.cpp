@@ -1,5 +1,5 @@
-// Guards PS3.15 E on every DICOM file of the real data: attributes, bytes, references, pixels, and the checks
-// of dciodvfy. Files are read with DCMTK.
+// Guards PS3.15 E on every DICOM file of the real data: attributes, bytes, references, pixels and the checks
+// of dciodvfy. DCMTK reads the files.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
 
@@ -38,12 +38,12 @@ class TestDeidentifiedData : public QObject {
 
 namespace {
 
-// Returns whether a value is long enough that it does not stand in others by chance.
+// Returns true for values that are so long that other values do not contain them by chance.
 bool isTelling(const std::string& value) {
   return value.size() >= 6 && value.find_first_not_of("0. -") != std::string::npos;
 }
 
-// Returns whether copies hold a value whatever their sources do.
+// Returns true for values that copies may hold whatever their sources hold.
 bool isOurs(const std::string& value) {
   return value.starts_with("1.2.840.10008.") || value == "DEIDENTIFIED" || value == "REMOVED" ||
          value == "19000101";
@@ -60,7 +60,8 @@ std::set<std::string> valuesOf(DcmElement& e) {
   return values;
 }
 
-// Returns the fragments of compressed pixels, each from its first scan or tile on: comments stand before.
+// Returns the fragments of compressed pixels, each from its first scan or tile on. Comments stand before
+// that.
 QByteArrayList scansOf(DcmPixelSequence& fragments) {
   QByteArrayList scans;
   for (unsigned long n = 1; n < fragments.card(); ++n) {
@@ -75,7 +76,7 @@ QByteArrayList scansOf(DcmPixelSequence& fragments) {
   return scans;
 }
 
-// Returns native pixels without what hides beside them: unused bits, and bytes behind the last one.
+// Returns native pixels without the unused bits and the bytes behind the last pixel.
 QByteArray valuesOfPixels(DcmDataset& data, DcmPixelData& pixels) {
   const auto number = [&](const DcmTagKey& tag) {
     Uint16 value = 0;
@@ -154,7 +155,7 @@ void TestDeidentifiedData::initTestCase() {
     QVERIFY2(file, qPrintable(copy));
     copies[textOf(*file->getDataset(), DCM_SOPInstanceUID)] = copy;
   }
-  // Which of several files with one UID was copied, their order decides.
+  // If several files have one UID, their order decides which is copied.
   std::multimap<std::string, QString> sources;
   for (QDirIterator all(QString::fromStdString(data), QDir::Files, QDirIterator::Subdirectories);
        all.hasNext();) {
@@ -182,7 +183,7 @@ void TestDeidentifiedData::noAttributeStaysThatTheTableRemoves() {
   }
 }
 
-// A value that another attribute has, which stays, may be there.
+// A copy may still contain a value that another attribute has and keeps.
 void TestDeidentifiedData::noOriginalIsInTheBytes() {
   const ConfidentialityProfile profile({});
   for (const Pair& pair : pairs_) {
@@ -227,7 +228,7 @@ void TestDeidentifiedData::referencesAndPixelsAreTheSame() {
 
 void TestDeidentifiedData::noClassLacksMoreThanBefore() {
   NEED_DCIODVFY();
-  // Errors without the values that they name.
+  // Removes the values from errors, as they differ between source and copy.
   const auto errorsOf = [](const QString& path) {
     static const QRegularExpression values(QStringLiteral("<[^>]*>|[0-9]+(\\.[0-9]+){2,}"));
     std::multiset<QString> errors;

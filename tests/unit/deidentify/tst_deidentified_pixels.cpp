@@ -1,5 +1,5 @@
-// Guards what copies without identity have beside their pixels: overlays in unused bits, bytes behind the
-// last pixel, comments in code streams. Files are read with DCMTK.
+// Guards that copies without identity hide nothing beside their pixels: overlays in unused bits, bytes
+// behind the last pixel, comments in code streams. DCMTK reads the files.
 #include <dcmtk/config/osconfig.h>
 #include <dcmtk/dcmdata/dcpxitem.h>
 
@@ -68,7 +68,7 @@ QByteArray bytesOfFragment(DcmFileFormat& file) {
   return {reinterpret_cast<const char*>(bytes), qsizetype(fragment->getLength())};
 }
 
-// Returns a marker with its segment.
+// Returns a marker of a code stream with its segment.
 QByteArray segment(int marker, const QByteArray& content) {
   const qsizetype length = content.size() + 2;
   return QByteArray("\xff") + char(marker) + char(length >> 8) + char(length & 0xff) + content;
@@ -84,7 +84,7 @@ void TestDeidentifiedPixels::overlaysInUnusedBitsGo_data() {
     QTest::newRow(dcmFindNameOfUID(syntax)) << QByteArray(syntax);
 }
 
-// Bit 15 is an overlay's, bit 14 nobody's, bit 11 is of the pixels.
+// Bit 15 is the overlay, bit 14 is unused, and bit 11 belongs to the pixels.
 void TestDeidentifiedPixels::overlaysInUnusedBitsGo() {
   QFETCH(QByteArray, syntax);
   DicomPicture picture;

@@ -1,5 +1,5 @@
-// Guards `volumen export --deidentify` where attributes beside the table hold identity, and what runs say and
-// leave that end early.
+// Guards `volumen export --deidentify`: attributes outside the table that hold identity, and the messages
+// and files of runs that end early.
 #include <sys/resource.h>
 
 #include <QDir>
@@ -101,7 +101,7 @@ void TestDeidentifiedRuns::originalsAreNoTarget() {
   QCOMPARE(copiesIn(source.path()), QStringList{path});
 }
 
-// The last file is too large. How many are written before it is chance.
+// The last file is larger than the limit. How many files are written before it depends on chance.
 void TestDeidentifiedRuns::copiesOfAFullDiskAreCounted() {
   constexpr int small = 20, side = 512;
   const QTemporaryDir source, target;

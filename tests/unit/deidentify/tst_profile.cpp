@@ -1,4 +1,4 @@
-// Guards PS3.15 table E.1-1 as compiled in: what happens to each attribute, with each option.
+// Guards PS3.15 table E.1-1 as compiled in: the action for each attribute, with each option.
 #include <QFile>
 
 #include "io/deidentify/descriptor_words.h"
@@ -46,7 +46,7 @@ std::uint32_t tagOfRow(QByteArray text) {
 
 }  // namespace
 
-// The table beside the project has a column of names where ours has VRs.
+// The table of the data has a column of names where the compiled one has VRs.
 void TestConfidentialityProfile::theTableIsThatOfTheStandard() {
   const QList<QByteArrayList> ours = cellsOf(compiledTable());
   QCOMPARE(ours.size(), 656);
@@ -71,7 +71,7 @@ void TestConfidentialityProfile::everyRowCounts_data() {
     if (row[0] != "private") QTest::newRow((row[0] + ' ' + row[2]).constData()) << tagOfRow(row[0]) << row[3];
 }
 
-// Where the standard leaves a choice, one of its choices is taken.
+// Where the standard leaves a choice, the profile takes one of the allowed actions.
 void TestConfidentialityProfile::everyRowCounts() {
   QFETCH(quint32, tag);
   QFETCH(QByteArray, basic);
