@@ -129,7 +129,7 @@ Result<DocumentSource> readDocumentSource(const Study& study, std::span<const st
     source.pictures[uid] = {instance.of->sopClassUid, uid, instance.of->seriesUid, 0, instance.isImage};
     if (!instance.isDerived) paths.push_back(instance.path);
   }
-  if (paths.empty()) return Error{"A document refers to one image at least."};
+  if (paths.empty()) return Error{"A document must refer to at least one image."};
   if (Status s = addHeaders(paths, source, progress, cancel); !s) return s.error();
   source.seriesNumber = nextSeriesNumber(study, source.studyUid);
   return source;

@@ -38,7 +38,7 @@ Status writeEncapsulatedPdf(std::string_view pdf, const Series& series, const Pd
                             const std::string& path, const Progress& progress,
                             const CancelToken& cancel) try {
   constexpr std::size_t longest = 0xfffffffe;
-  if (!isPdf(pdf)) return Error{"Cannot write " + path + ": what it should hold is no PDF."};
+  if (!isPdf(pdf)) return Error{"Cannot write " + path + ": the document is no PDF."};
   if (pdf.size() > longest)
     return Error{"Cannot write " + path + ": the PDF is more than the 4 GB that a DICOM file holds."};
   const auto object = StudyObject::of(series, tags, progress, cancel);

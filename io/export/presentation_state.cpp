@@ -35,7 +35,8 @@ Result<std::vector<std::size_t>> slicesOf(const std::vector<ReferencedPicture>& 
   for (const ReferencedPicture& picture : pictures) {
     const auto found = std::ranges::find(series.sopInstanceUids, picture.sopInstanceUid);
     if (found == series.sopInstanceUids.end())
-      return Error{series.id + " has no picture " + picture.sopInstanceUid + ", which should be shown so."};
+      return Error{series.id + " has no picture " + picture.sopInstanceUid +
+                   ", which the presentation is for."};
     slices.push_back(std::size_t(found - series.sopInstanceUids.begin()));
   }
   return slices;
@@ -50,7 +51,7 @@ Status checkParts(const Presentation& p, const std::map<std::string, const Dicom
     return true;
   };
   if (check(p.greys) && check(p.areas) && check(p.annotations)) return {};
-  return Error{"A part of the presentation is for a picture that the presentation itself does not name."};
+  return Error{"A part of the presentation is for a picture that the presentation does not list."};
 }
 
 DicomElements identification(const Presentation& p, const ObjectTags& dated) {

@@ -113,7 +113,7 @@ Result<SegmentsFile> placedImage(const std::string& path, const VoxelGeometry& g
 Result<SegmentsFile> placedContours(const std::string& path, const VoxelGeometry& grid,
                                     const CancelToken& cancel, const AcquiredSlices& slices) {
   if (!grid.calibrated)
-    return Error{path + ": where the series lies is not known: contours have no place in it."};
+    return Error{path + ": the position of the series is not known, so contours cannot be placed in it."};
   const auto set = loadContours(path);
   if (!set) return set.error();
   const Segmentation filled = filledContours(*set, grid, slices.places, cancel);

@@ -236,7 +236,7 @@ Result<std::vector<std::string>> writeStructureSet(std::span<const Segmented> ma
                                                    const StructureSetTags& tags, const std::string& path,
                                                    const Progress& progress, const CancelToken& cancel) try {
   if (maps.empty() || !maps.front().labels.geometry().calibrated)
-    return Error{"There is no segment that lies in " + series.id + "; no structure set was written."};
+    return Error{"No segment lies in " + series.id + "; no structure set was written."};
   const auto object = StudyObject::of(series, tags, progress, cancel);
   if (!object) return object.error();
   if (Status s = checkNames(series); !s) return s.error();

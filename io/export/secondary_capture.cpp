@@ -159,7 +159,8 @@ Status SecondaryCapture::startPixels() {
 
 Status SecondaryCapture::add(std::span<const std::uint8_t> rgb) try {
   if (rgb.size() != frameBytes() || written_ == frames_)
-    return Error{"Cannot write " + path_ + ": a frame has another size, or there are more than announced."};
+    return Error{"Cannot write " + path_ +
+                 ": a frame has another size, or there are more frames than announced."};
   ++written_;
   if (!rle_) return write(rgb);
   const std::vector<std::uint8_t> packed = rleFrame(rgb, size_.x);

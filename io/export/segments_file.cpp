@@ -113,7 +113,7 @@ Result<SegmentsFile> onGrid(SegmentsFile file, const VoxelGeometry& grid, const 
   if (!own.calibrated || !grid.calibrated) {
     if (own.size != grid.size)
       return Error{"The segments have " + sizeText(own.size) + " voxels and " + whose + " " +
-                   sizeText(grid.size) + ", and where they lie is not known."};
+                   sizeText(grid.size) + ", and their positions are not known."};
     for (Segmented& map : file.maps) {
       DenseLabels labels = map.labels.dense();
       labels.geometry = grid;
@@ -150,8 +150,8 @@ Status noteSpread(SegmentsFile& file, double outside, const AcquiredSlices& slic
   const bool isSame = std::abs(moved.after - moved.before) <= unchanged * moved.before;
   return noteMoved(file,
                    isSame ? ""
-                          : "The segments lie on the acquired slices: each even slice of the series has what "
-                            "the nearest of them has",
+                          : "The segments lie on the acquired slices: each slice of the even grid takes the "
+                            "nearest one",
                    "the series", moved);
 }
 
@@ -159,7 +159,8 @@ Status noteSpread(SegmentsFile& file, double outside, const AcquiredSlices& slic
 
 Result<SegmentsFile> onGrid(const Segmentation& s, const VoxelGeometry& grid, const CancelToken& cancel,
                             const AcquiredSlices& slices) {
-  if (!grid.calibrated) return Error{"Where the series lies is not known: segments have no place in it."};
+  if (!grid.calibrated)
+    return Error{"The position of the series is not known, so segments cannot be placed in it."};
   SegmentsFile file{segmentedOf(s, grid, cancel, slices), s.notes};
   if (cancel.cancelled()) return Error{"Cancelled."};
   const double pixel = s.mm.x * s.mm.y * s.thickness;

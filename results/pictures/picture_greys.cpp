@@ -37,7 +37,7 @@ Status useStoredValues(std::vector<PictureGrey>& pictures) {
       if (!picture.mapping.table.empty() || picture.mapping.slope <= 0 || !grey.mapping.table.grey.empty())
         return Error{
             "The pictures have different rescales and lookup tables, and a presentation state has one "
-            "rescale: name pictures that are alike by --images."};
+            "rescale: choose pictures that are alike with --images."};
       grey.mapping = ofStored(grey.mapping, picture.mapping);
     }
     picture.mapping = {};
@@ -85,7 +85,8 @@ class GreysCollector {
     if (series.sopInstanceUids[std::size_t(index)].empty())
       return Error{file + " has no SOPInstanceUID, by which a presentation state names its pictures."};
     if (frame.greys.empty())
-      return Error{file + " holds a picture in colour: a grayscale presentation state is of grey ones."};
+      return Error{file +
+                   " holds a picture in colour, but a grayscale presentation state is for grey pictures."};
     for (const std::string& warning : frame.warnings)
       if (std::ranges::find(greys_.notes, warning) == greys_.notes.end()) greys_.notes.push_back(warning);
     pictures_.push_back({index, frame.mapping, through(window_, frame.greys)});
@@ -94,8 +95,7 @@ class GreysCollector {
     else if (!areAlike(greys_.first, frame))
       return Error{file +
                    " differs from the first picture in size, pixel spacing or inversion, and a presentation "
-                   "state shows "
-                   "pictures that are alike: name them by --images."};
+                   "state needs pictures that are alike: choose them with --images."};
     return {};
   }
 
