@@ -37,6 +37,19 @@ float lowestOf(const Volume& volume) {
   return lowest;
 }
 
+// The pictures in a folder, in order.
+QList<QByteArray> coloursIn(const QString& folder) {
+  QList<QByteArray> all;
+  for (const QString& path : storedFilesIn(folder)) {
+    StoredFile stored(path);
+    const Uint8* rgb = nullptr;
+    unsigned long size = 0;
+    if (stored.file.getDataset()->findAndGetUint8Array(DCM_PixelData, rgb, &size).good())
+      all << QByteArray(reinterpret_cast<const char*>(rgb), qsizetype(size));
+  }
+  return all;
+}
+
 }  // namespace
 
 class TestExportParts : public QObject {
@@ -47,6 +60,7 @@ class TestExportParts : public QObject {
   void whatIsInSegmentsStaysOrGoes();
   void partsGoBeforeSlicesAreResampled();
   void partsGoBeforeTheOtherGrid();
+  void partsGoBeforeTheOverlay();
   void sessionsGiveWhatTheyShow_data();
   void sessionsGiveWhatTheyShow();
   void sessionsWithoutTheirSegmentsAreRefused();
@@ -158,6 +172,33 @@ void TestExportParts::partsGoBeforeTheOtherGrid() {
     if (made->valueAt(n) != wanted->valueAt(n)) QCOMPARE(made->valueAt(n), wanted->valueAt(n));
 }
 
+// What is left is fused like a series of its own. The overlay stays whole.
+void TestExportParts::partsGoBeforeTheOverlay() {
+  const std::string path = dataPath(mrWithSegments);
+  NEED_DATA(path);
+  QVERIFY(!bright().isEmpty());
+  const QTemporaryDir folder;
+  const auto in = [&](const char* name) { return folder.filePath(QString::fromLatin1(name)); };
+  const QString from = QString::fromStdString(path),
+                parts = QStringLiteral("--without-segments --segments ") + bright(),
+                fused = QStringLiteral(" --plane coronal --spacing 60 --window 300,600 --overlay ") + from;
+  for (const auto& [source, options, name] :
+       {std::tuple(from, parts, "left"), {from, parts + fused, "fused"}, {from, fused, "whole"}}) {
+    const Outcome a = exported(source, options, in(name));
+    QVERIFY2(a.status == 0, a.err);
+  }
+  const Outcome twice = exported(in("left"), fused, in("twice"));
+  QVERIFY2(twice.status == 0, twice.err);
+  const QList<QByteArray> made = coloursIn(in("fused"));
+  QVERIFY(made.size() > 1);
+  QVERIFY(made == coloursIn(in("twice")));
+  QVERIFY(made != coloursIn(in("whole")));
+  StoredFile first(storedFilesIn(in("fused"))[0]);
+  QVERIFY(first.said(DCM_SeriesDescription).starts_with("Without Range 300:"));
+  const std::string how = first.said(DCM_DerivationDescription);
+  QVERIFY2(how.find("with air in place of the segments Range 300:") != std::string::npos, how.c_str());
+}
+
 QString TestExportParts::sessionOf(const QTemporaryDir& folder, bool withoutTable, bool onlySpine) const {
   const QString ct = folder.filePath(QStringLiteral("ct.nrrd")),
                 session = folder.filePath(QStringLiteral("s.volumen"));
@@ -214,10 +255,10 @@ void TestExportParts::sessionsGiveWhatTheyShow() {
     if (made->valueAt(n) != wanted) QCOMPARE(made->valueAt(n), wanted);
   }
   if (says.isEmpty()) return;
-  const Outcome twice = exported(session, QStringLiteral("--overlay phantom:ct-head:24 --plane axial"),
-                                 folder.filePath(QStringLiteral("colour")));
+  const Outcome twice =
+      exported(session, QStringLiteral("--deface"), folder.filePath(QStringLiteral("faceless")));
   QCOMPARE(twice.status, 1);
-  QVERIFY2(twice.err.contains("do not go with parts that are taken away"), twice.err);
+  QVERIFY2(twice.err.contains("does not go with parts that are taken away"), twice.err);
 }
 
 void TestExportParts::sessionsWithoutTheirSegmentsAreRefused() {
@@ -305,9 +346,7 @@ void TestExportParts::othersAreRefused_data() {
   row("the table of no CT", "phantom:sphere:16", "--remove-table", 1, "not Hounsfield units");
   row("no segments to leave out", head, "--without-segments", 2, "requires --segments");
   row("segments that are not there", head, "--segments none.seg.nrrd", 1, "none.seg.nrrd");
-  row("a face, too", head, "--remove-table --deface", 2, "--deface and --overlay do not go with");
-  row("in colour", head, "--remove-table --plane axial --overlay phantom:ct-head:32", 2,
-      "--deface and --overlay do not go with");
+  row("a face, too", head, "--remove-table --deface", 2, "--deface does not go with parts");
   row("empty segments", head, "--segments EMPTY", 1, "no voxel of the series lies in its segments");
 }
 
