@@ -22,9 +22,10 @@ struct ObjectTags {
 int nextSeriesNumber(const Study& study, const std::string& studyUid);
 
 /// Checks that an object can name a series and pictures of it by UIDs: those at `slices` (indices of
-/// Series::files), or all. The Error: the series or a picture has no UID, or two files have the same one.
+/// Series::files), or all. The Error: the series or a picture has no UID, or two files have the same one
+/// that are no copies of each other.
 Status checkNames(const Series& series, std::span<const std::size_t> slices = {});
-/// Returns the sentence that two files have the same SOPInstanceUID.
+/// Returns the sentence that two files that are no copies have the same SOPInstanceUID.
 Error sameInstance(const std::string& a, const std::string& b);
 
 /// A new object in the study of a series, alone in a new series. Its UIDs are random.
