@@ -1,7 +1,10 @@
 #include "app/frame_picture.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstring>
 
+#include "io/frame_limit.h"
 #include "results/pictures/picture_greys.h"
 
 namespace volumen {
@@ -18,6 +21,20 @@ QImage pictureOfBytes(const std::vector<std::uint8_t>& bytes, glm::ivec2 size, b
   for (int y = 0; y < size.y; ++y)
     std::memcpy(image.scanLine(y), bytes.data() + width * std::size_t(y), width);
   return image;
+}
+
+Result<QImage> withSquarePixels(const QImage& image, glm::dvec2 mm) {
+  const double side = std::min(mm.x, mm.y);
+  const double width = std::round(image.width() * mm.x / side);
+  const double height = std::round(image.height() * mm.y / side);
+  if (width == image.width() && height == image.height()) return image;
+  if (!(width * height <= double(framePixelLimit())))
+    return Error{"Pixels are so much longer on one side that the picture would have more than " +
+                 framePixelLimitText() + ": write frames as they are (volumen slice --plane frame)."};
+  const QImage square =
+      image.scaled(int(width), int(height), Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+  if (square.isNull()) return Error{"There is not enough memory for a picture with square pixels."};
+  return square.convertToFormat(image.format());
 }
 
 }  // namespace volumen

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "viewer/slice/frame.h"
+#include "viewer/volume/result.h"
 
 namespace volumen {
 
@@ -16,5 +17,9 @@ std::vector<std::uint8_t> frameBytes(const Frame& frame, const std::optional<Win
 
 /// Returns the bytes of frameBytes() as an image. `size` is columns x rows.
 QImage pictureOfBytes(const std::vector<std::uint8_t>& bytes, glm::ivec2 size, bool colour);
+
+/// Returns a picture with square pixels of one whose pixels are `mm` wide and high: as many along their
+/// shorter side, more along the other one, interpolated. The Error: it would be too large.
+Result<QImage> withSquarePixels(const QImage& image, glm::dvec2 mm);
 
 }  // namespace volumen

@@ -113,6 +113,31 @@ void print(const std::vector<std::string>& files, const std::vector<std::string>
   std::cout << jsonText({{"file", list.front()}, {"files", list}, {"notes", notes}});
 }
 
+// Puts the names that the user gave in place of those of temporary files.
+struct GivenNames {
+  const OutputTarget& target;
+  std::string made{}, given{};  // what was made of `given`, if it is no copy of files
+
+  std::string in(std::string text) const {
+    text = target.told(std::move(text));
+    return made.empty() ? text : replaced(std::move(text), made, given);
+  }
+};
+
+void nameAsGiven(std::vector<std::string>& texts, const GivenNames& names) {
+  for (std::string& one : texts) one = names.in(std::move(one));
+}
+
+void nameAsGiven(DeidentifyReport& report, const GivenNames& names) {
+  for (Refused& one : report.leftOut) {
+    const bool isMade = !names.made.empty() && one.path.starts_with(names.made);
+    one = {isMade ? names.given : names.in(one.path), names.in(one.reason)};
+  }
+  for (auto* series :
+       {&report.withText, &report.withFaces, &report.withoutSuv, &report.withoutMosaic, &report.faceless})
+    nameAsGiven(*series, names);
+}
+
 // Sends what was written for an archive. `written` is what the JSON says of it; `status`, how writing ended.
 int sendWritten(const OutputTarget& target, Json written, bool json, int status, const CancelToken& cancel) {
   const auto files = filesOfPath(target.path(), {}, cancel);
@@ -136,8 +161,9 @@ int writeFormat(const ExportFormat& format, const ExportOptions& options, const 
                      " writes no DICOM, which archives take: name a file.");
   ExportJob job = options.job;
   job.output = target->path();
-  const Result<Exported> done = format.write(job, cancel);
+  Result<Exported> done = format.write(job, cancel);
   if (!done) return fail(target->told(done.message()), cancel);
+  nameAsGiven(done->notes, {*target});
   printNotes(done->notes);
   const int status = statusWith(done->unread);
   if (target->archive()) return sendWritten(*target, {{"notes", done->notes}}, options.json, status, cancel);
@@ -155,24 +181,27 @@ Result<Deidentification> deidentificationOf(const ExportOptions& options) {
   return how;
 }
 
-int deidentify(const ExportOptions& options, const CancelToken& cancel) {
+// Writes copies without identity of the files of the job's path, or of `made` of it.
+int deidentify(const ExportOptions& options, const std::string& made, const CancelToken& cancel) {
   const ExportJob& job = options.job;
   const auto target = OutputTarget::of(job.output);
   if (!target) return fail(target.message());
   const auto how = deidentificationOf(options);
   if (!how) return fail(how.message());
-  const auto files = filesOfPath(job.path, terminalProgress(), cancel);
-  if (!files) return fail(files.message(), cancel);
+  const GivenNames names{*target, made, job.path};
+  const auto files = filesOfPath(made.empty() ? job.path : made, terminalProgress(), cancel);
+  if (!files) return fail(names.in(files.message()), cancel);
   int complete = 0;
-  const auto report = deidentifyFiles(*files, target->path(), *how, terminalProgress(), cancel, &complete);
+  auto report = deidentifyFiles(*files, target->path(), *how, terminalProgress(), cancel, &complete);
   endTerminalProgress();
   if (!report && complete > 0 && !target->archive())
-    return fail((cancel.cancelled() ? "Interrupted." : report.message()) + " Copies of " +
+    return fail((cancel.cancelled() ? "Interrupted." : names.in(report.message())) + " Copies of " +
                 std::to_string(complete) + " of " + std::to_string(files->size()) + " files are in " +
                 job.output + ", each of them whole.");
-  if (!report) return fail(report.message(), cancel);
+  if (!report) return fail(names.in(report.message()), cancel);
   const int done = report->written + report->alreadyThere;
   if (done == 0 && report->leftOut.empty()) return fail(job.path + " holds no DICOM files.");
+  nameAsGiven(*report, names);
   warn(*report);
   const int status = done == 0 ? exitFailed : report->leftOut.empty() ? exitDone : exitLosses;
   if (target->archive() && done > 0)
@@ -191,14 +220,19 @@ int writeWithoutIdentity(const ExportFormat& format, const ExportOptions& option
                      " writes pages, which may name the patient: leave --deidentify out.");
   const QTemporaryDir folder;
   if (!folder.isValid()) return fail("Cannot make a temporary folder: free some space.");
-  ExportOptions made = options;
-  made.job.path = folder.path().toStdString();
+  const std::string made = folder.path().toStdString();
+  const std::string& output = options.job.output;
   ExportJob job = options.job;
-  job.output = made.job.path + "/made.dcm";  // a folder, if the format is a series
+  job.output = made + "/made.dcm";  // a folder, if the format is a series
+  const auto asGiven = [&](const std::string& text) {
+    return replaced(replaced(text, job.output, output), made, output);
+  };
   const Result<Exported> done = format.write(job, cancel);
-  if (!done) return fail(replaced(done.message(), job.output, options.job.output), cancel);
-  printNotes(done->notes);
-  const int status = deidentify(made, cancel);
+  if (!done) return fail(asGiven(done.message()), cancel);
+  std::vector<std::string> notes = done->notes;
+  std::ranges::transform(notes, notes.begin(), asGiven);
+  printNotes(notes);
+  const int status = deidentify(options, made, cancel);
   return status == exitDone ? statusWith(done->unread) : status;
 }
 
@@ -237,7 +271,7 @@ int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) 
   const auto format = std::ranges::find(formats, options.format, &ExportFormat::name);
   const bool isKnown = format != formats.end();
   if (Status s = checkFormatOptions(app, isKnown ? &*format : nullptr); !s) return failUsage(s.message());
-  if (!isKnown) return deidentify(options, cancel);
+  if (!isKnown) return deidentify(options, {}, cancel);
   if (Status s = checkOther(app, options.job); !s) return failUsage(s.message());
   if (Status s = checkCurve(app, *format); !s) return failUsage(s.message());
   if (Status s = settlePlane(app, *format, options.job); !s) return failUsage(s.message());

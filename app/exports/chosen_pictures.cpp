@@ -1,8 +1,10 @@
 #include "app/exports/chosen_pictures.h"
 
 #include <algorithm>
+#include <map>
 
 #include "app/open_volume.h"
+#include "io/files/same_bytes.h"
 #include "io/presentation.h"
 #include "io/study/choose.h"
 #include "io/study/frame_series.h"
@@ -87,6 +89,20 @@ Result<std::vector<int>> indicesOf(const Series& series, const std::vector<Refer
   return all;
 }
 
+// Leaves out the pictures of files that are copies of others.
+std::vector<int> withoutCopies(const Series& series, const std::vector<int>& indices) {
+  std::map<std::pair<std::string, int>, const std::string*> files;  // by instance and frame
+  FileCopies copies;
+  std::vector<int> kept;
+  for (const int index : indices) {
+    const auto n = std::size_t(index);
+    const std::string &uid = series.sopInstanceUids[n], &file = series.files[n];
+    const auto [first, isNew] = files.emplace(std::pair(uid, series.frames[n]), &file);
+    if (uid.empty() || isNew || !copies.areAlike(*first->second, file)) kept.push_back(index);
+  }
+  return kept;
+}
+
 }  // namespace
 
 Result<ChosenPictures> choosePictures(const std::string& path, const Study& study, const std::string& series,
@@ -105,7 +121,7 @@ Result<ChosenPictures> choosePictures(const std::string& path, const Study& stud
                            seriesText(chosen.series).toStdString() + "\". Choose others with --series.");
   const auto indices = indicesOf(chosen.series, images);
   if (!indices) return indices.error();
-  chosen.indices = *indices;
+  chosen.indices = withoutCopies(chosen.series, *indices);
   return chosen;
 }
 

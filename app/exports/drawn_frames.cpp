@@ -25,10 +25,10 @@ class FrameDrawer {
     PictureText text{{"Software", "volumen " VOLUMEN_VERSION}, {"Comment", "Not for clinical use"}};
     for (const std::string& warning : frame->warnings) note(warning, notes);
     if (asked_ && frame->colour()) note("It is in colour, which --window does not change.", notes);
-    if (frame->pixel.mm.x != frame->pixel.mm.y)
-      note("Its pixels are not square, and the film shows them as squares.", notes);
-    return taker.take(
-        pictureOfBytes(frameBytes(*frame, windowOf(index, *frame)), frame->size, frame->colour()), text);
+    const auto picture = withSquarePixels(
+        pictureOfBytes(frameBytes(*frame, windowOf(index, *frame)), frame->size, frame->colour()),
+        frame->pixel.mm);
+    return picture ? taker.take(*picture, text) : picture.error();
   }
 
  private:

@@ -77,10 +77,8 @@ std::span<const ExportFormat> exportFormats() {
       {"seg", "segments as a DICOM segmentation", {"--segments"}, {"--series"}, exportSegmentation},
       {"rtstruct", "segments as an RT Structure Set", {"--segments"}, {"--series"}, exportStructureSet},
       {"series",
-       "slices along a plane or across a curve, fused with an overlay, on the grid of another series, or "
-       "with parts taken "
-       "away, "
-       "as a DICOM series, into a folder",
+       "slices along a plane, fused with an overlay, or across a curve, or on the grid of another series, "
+       "or with parts taken away, as a DICOM series, into a folder",
        {},
        ofSeries,
        exportSeries,
@@ -150,10 +148,10 @@ Status checkOther(const CLI::App& app, const ExportJob& job) {
 
 Status checkCurve(const CLI::App& app, const ExportFormat& format) {
   if (!isGiven(app, "--roi") || !has(format.takes, "--spacing")) return {};
-  return checkNone(
-      app,
-      {"--plane", "--at", "--index", "--centre", "--right", "--down", "--onto", "--onto-series", "--overlay"},
-      " does not go with --roi: slices lie across its curve.");
+  return checkNone(app,
+                   {"--plane", "--at", "--index", "--centre", "--right", "--down", "--onto", "--onto-series",
+                    "--overlay", "--overlay-series"},
+                   " does not go with --roi: slices lie across its curve.");
 }
 
 Status settlePlane(const CLI::App& app, const ExportFormat& format, ExportJob& job) {

@@ -31,17 +31,20 @@ Result<ColourSlices> colourSlicesOf(const SliceStack& stack, const Opened& under
   return slices;
 }
 
-CaptureTags fusedTags(const SliceStack& stack, const Opened& under, const Overlay& overlay,
-                      const SlicePicture& first, int seriesNumber) {
+CaptureTags fusedTags(const SliceStack& stack, const SeriesSource& source, const Overlay& overlay,
+                      const SlicePicture& first) {
+  const Series &under = source.opened.series, &over = overlay.opened.series;
   CaptureTags tags;
-  tags.description = wordsOf(stack) + ", fused with " + overlay.opened.series.description;
-  tags.seriesNumber = seriesNumber;
-  tags.derivation = wordsOf(stack) + " of " + under.series.description + ", resampled with " +
-                    wordsOf(stack.first.interpolation) + " interpolation, window " + first.window +
-                    "; over it " + overlay.words + "; written by volumen " VOLUMEN_VERSION;
+  tags.description = (source.without ? source.without->title + ": " : "") + wordsOf(stack) + ", fused with " +
+                     over.description;
+  tags.seriesNumber = source.seriesNumber;
+  tags.derivation = wordsOf(stack) + " of " + under.description +
+                    (source.without ? " with air in place of " + source.without->parts : "") +
+                    ", resampled with " + wordsOf(stack.first.interpolation) + " interpolation, window " +
+                    first.window + "; over it " + overlay.words + "; written by volumen " VOLUMEN_VERSION;
   tags.hasNames = false;
   // The slices together may show a face in 3D.
-  tags.showsFace = showsFaceIn3d(under.series);
+  tags.showsFace = showFaceIn3d(under, over);
   return tags;
 }
 
@@ -53,8 +56,9 @@ Status checkWindows(const ExportJob& job) {
   return over ? Status() : Status(over.error());
 }
 
-Result<Exported> exportFused(const ExportJob& job, const SliceStack& stack, Opened opened, int seriesNumber,
+Result<Exported> exportFused(const ExportJob& job, const SliceStack& stack, SeriesSource source,
                              const CancelToken& cancel) {
+  Opened& opened = source.opened;
   const auto window = windowOf(job.window);
   if (!window) return window.error();
   if (Status s = checkPlane(stack.first); !s) return s.error();
@@ -65,7 +69,7 @@ Result<Exported> exportFused(const ExportJob& job, const SliceStack& stack, Open
   if (!first) return first.error();
   const auto slices = colourSlicesOf(stack, opened, **overlay, cancel);
   if (!slices) return slices.error();
-  const CaptureTags tags = fusedTags(stack, opened, **overlay, *first, seriesNumber);
+  const CaptureTags tags = fusedTags(stack, source, **overlay, *first);
   const auto slice = [&](int n) -> Result<std::vector<std::uint8_t>> {
     const auto made = picture(n);
     if (!made) return made.error();
@@ -75,6 +79,9 @@ Result<Exported> exportFused(const ExportJob& job, const SliceStack& stack, Open
       writeColourSeries(opened.series, tags, *slices, slice, job.output, terminalProgress(), cancel);
   endTerminalProgress();
   if (!written) return written.error();
+  if (tags.showsFace.value_or(false))
+    opened.notes.emplace_back(
+        "A face may be recognised in a rendering of the slices: look at it before you hand them on.");
   return Exported{std::move(opened.notes), opened.loaded.unread, {}};
 }
 

@@ -25,13 +25,6 @@ std::string outsideNote(float outside, const Opened& opened) {
          (isPadding ? "the padding value" : "the lowest value") + ", " + nlohmann::json(outside).dump() + ".";
 }
 
-// A series to write, and what becomes of it.
-struct SeriesSource {
-  Opened opened;
-  int seriesNumber;
-  std::optional<TakenAway> without{};
-};
-
 using TagsOf = std::function<DicomSeriesTags(DicomSeriesTags ofSource)>;
 
 // Writes what was made of a series.
@@ -112,21 +105,21 @@ Result<Exported> exportStack(const ExportJob& job, const AskedPlane& asked, Seri
   const VoxelGeometry& geometry = source.opened.loaded.drawn->geometry();
   const auto stack = job.shapes.empty() ? planeStack(job, asked, geometry) : curveStack(job, asked, geometry);
   if (!stack) return stack.error();
-  return job.overlay.isGiven()
-             ? exportFused(job, *stack, std::move(source.opened), source.seriesNumber, cancel)
-             : writeStack(job, *stack, std::move(source), cancel);
+  return job.overlay.isGiven() ? exportFused(job, *stack, std::move(source), cancel)
+                               : writeStack(job, *stack, std::move(source), cancel);
 }
 
 bool hasStack(const ExportJob& job) {
-  return job.hasPlane || job.spacingMm || !job.plane.size.empty() || !job.shapes.empty();
+  return job.hasPlane || job.spacingMm || !job.plane.size.empty() || !job.shapes.empty() ||
+         job.overlay.isGiven();
 }
 
-// Refuses --deface and --overlay for a series from which parts are taken away.
+// Refuses --deface for a series from which parts are taken away.
 Status checkAlone(const ExportJob& job) {
-  if (!job.deface && !job.overlay.isGiven()) return {};
+  if (!job.deface) return {};
   return Error{
-      "--deface and --overlay do not go with parts that are taken away otherwise: write one series, then the "
-      "other of what was written."};
+      "--deface does not go with parts that are taken away otherwise: write one series, then the other of "
+      "what was written."};
 }
 
 // Opens the series of a job or of its session, and takes parts of it away.
@@ -156,7 +149,7 @@ Result<SeriesSource> openSource(const ExportJob& job, const CancelToken& cancel)
 Status checkSeries(const ExportJob& job) {
   if (!job.window.empty() && !job.overlay.isGiven())
     return Error{"--window does not go with --as series without --overlay: its values are kept."};
-  if (job.deface && (hasStack(job) || job.isOnto() || job.overlay.isGiven()))
+  if (job.deface && (hasStack(job) || job.isOnto()))
     return Error{
         "--deface writes the slices as they are: leave --roi, --onto, --overlay, --spacing, --size and the "
         "options "

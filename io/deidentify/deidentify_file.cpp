@@ -56,7 +56,7 @@ void notePixels(const DataSet& data, const Retained& retained, DeidentifiedFile&
   const bool isOften = oftenWithText.contains(file.modality);
   file.mayShowText = burnedIn == "YES" || (isOften && burnedIn != "NO");
   const std::string part = text(0x00180015) + " " + text(0x00081030) + " " + text(0x0008103e);
-  file.mayShowFace = mayShowFace(file.modality, part);
+  file.mayShowFace = text(0x00280302) == "YES" || mayShowFace(file.modality, part);
   file.hasLostSuv =
       file.modality == "PT" && !(retained.patient && (retained.dates || retained.shiftDays != 0));
   const std::vector<std::string> types = data.values(0x00080008, data.root());

@@ -223,14 +223,25 @@ class Rewrite {
     put(e, vr, encoding, each(e, scope, [&](const std::string& uid) { return pseudonyms_.uid(uid); }));
   }
 
-  // Returns all values of a code. Those that hold a name are replaced by a dummy.
+  // Returns all values of a code. Those that hold a name are replaced by a dummy, and all of them are if they
+  // spell a name only together. Values of the format stay.
   std::string codesWithoutNames(const Element& e, DataSet::Scope scope) const {
     const std::string characters = data_.text(0x00080005, data_.root());
-    int n = 0;
-    return each(e, scope, [&](const std::string& code) {
-      const bool stays = isOfFormat(e.tag, n++) || !identifying_.isIn(dicom::toUtf8(code, characters));
-      return stays ? code : std::string(dummyText);
-    });
+    const auto hasName = [&](const std::string& text) {
+      return identifying_.isIn(dicom::toUtf8(text, characters));
+    };
+    std::string left;  // of those that may go
+    const auto without = [&](const auto& goes) {
+      int n = 0;
+      return each(e, scope, [&](const std::string& code) {
+        if (isOfFormat(e.tag, n++)) return code;
+        const std::string now = goes(code) ? std::string(dummyText) : code;
+        left += "\\" + now;
+        return now;
+      });
+    };
+    const std::string codes = without(hasName);
+    return hasName(left) ? without([](const std::string& code) { return !code.empty(); }) : codes;
   }
 
   std::string wordsOf(const std::string& description) const {

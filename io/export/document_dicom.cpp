@@ -11,6 +11,7 @@
 #include "io/export/dicom_source.h"
 #include "io/export/dicom_uid.h"
 #include "io/export/study_object.h"
+#include "io/files/same_bytes.h"
 #include "io/study/study.h"
 
 namespace volumen {
@@ -24,14 +25,14 @@ struct StudyInstance {
   std::string path;
   const SeriesIdentity* of = nullptr;
   bool isDerived = false, isImage = true;
-  std::string otherPath{};  // path of another picture with the same UID
+  std::vector<std::string> otherPaths{};  // paths of other pictures with the same UID
 };
 
 std::map<std::string, StudyInstance> knownInstances(const Study& study) {
   std::map<std::string, StudyInstance> all;
   const auto add = [&](const std::string& uid, const std::string& path, const SeriesIdentity& of) {
     const auto [known, isNew] = all.emplace(uid, StudyInstance{path, &of});
-    if (!isNew && known->second.path != path) known->second.otherPath = path;
+    if (!isNew && known->second.path != path) known->second.otherPaths.push_back(path);
   };
   for (const Series& series : study.volumes)
     for (std::size_t n = 0; n < series.sopInstanceUids.size(); ++n)
@@ -114,13 +115,15 @@ Result<DocumentSource> readDocumentSource(const Study& study, std::span<const st
   const std::map<std::string, StudyInstance> known = knownInstances(study);
   DocumentSource source;
   std::vector<std::string> paths;
+  FileCopies copies;
   for (const std::string& uid : sopInstanceUids) {
     const auto found = known.find(uid);
     if (found == known.end()) return Error{"No image here has the SOPInstanceUID " + uid + "."};
     const StudyInstance& instance = found->second;
     if (uid.empty())
       return Error{instance.path + " has no SOPInstanceUID, by which a document names its images."};
-    if (!instance.otherPath.empty()) return sameInstance(instance.path, instance.otherPath);
+    for (const std::string& other : instance.otherPaths)
+      if (!copies.areAlike(instance.path, other)) return sameInstance(instance.path, other);
     if (source.studyUid.empty()) source.studyUid = instance.of->studyUid;
     if (instance.of->studyUid.empty() || instance.of->seriesUid.empty())
       return Error{instance.path + ": it does not say which study and series it belongs to."};

@@ -8,6 +8,7 @@
 
 #include "io/dicom/data_set.h"
 #include "io/export/dicom_uid.h"
+#include "io/files/same_bytes.h"
 #include "io/study/study.h"
 
 namespace volumen {
@@ -76,8 +77,8 @@ int nextSeriesNumber(const Study& study, const std::string& studyUid) {
 Error sameInstance(const std::string& a, const std::string& b) {
   return Error{
       a + " and " + b +
-      " have the same SOPInstanceUID, by which a new object cannot tell them apart: leave one of them "
-      "out."};
+      " have the same SOPInstanceUID and are no copies of each other, so that a new object cannot tell "
+      "them apart: leave one of them out."};
 }
 
 Status checkNames(const Series& series, std::span<const std::size_t> slices) {
@@ -87,13 +88,15 @@ Status checkNames(const Series& series, std::span<const std::size_t> slices) {
   std::set<std::string> named;
   for (const std::size_t n : slices) named.insert(series.sopInstanceUids[n]);
   std::map<std::string, std::string> fileOf;
+  FileCopies copies;
   for (std::size_t n = 0; n < series.files.size(); ++n) {
     const std::string& uid = series.sopInstanceUids[n];
     if (!named.empty() && !named.contains(uid)) continue;
     if (uid.empty())
       return Error{series.files[n] + " has no SOPInstanceUID, by which a new object names its pictures."};
     const auto [known, isNew] = fileOf.emplace(uid, series.files[n]);
-    if (!isNew && known->second != series.files[n]) return sameInstance(known->second, series.files[n]);
+    if (!isNew && !copies.areAlike(known->second, series.files[n]))
+      return sameInstance(known->second, series.files[n]);
   }
   return {};
 }

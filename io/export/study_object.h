@@ -22,10 +22,10 @@ struct ObjectTags {
 int nextSeriesNumber(const Study& study, const std::string& studyUid);
 
 /// Checks that an object can reference a series and its pictures by UIDs: those at `slices` (indices of
-/// Series::files), or all. Returns an Error if the series or a picture has no UID, or if two files share
-/// one.
+/// Series::files), or all. Returns an Error if the series or a picture has no UID, or if two files that are
+/// no copies of each other share one.
 Status checkNames(const Series& series, std::span<const std::size_t> slices = {});
-/// Returns an Error that says that files `a` and `b` have the same SOPInstanceUID.
+/// Returns an Error that says that files `a` and `b` have the same SOPInstanceUID but are no copies.
 Error sameInstance(const std::string& a, const std::string& b);
 
 /// A new object in the study of a series. It is alone in a new series and has random UIDs.

@@ -7,7 +7,7 @@
 
 #include "io/files/output_file.h"
 #include "io/files/private_folder.h"
-#include "io/index/same_bytes.h"
+#include "io/files/same_bytes.h"
 #include "io/index/schema.h"
 #include "io/open.h"
 #include "io/regular_file.h"

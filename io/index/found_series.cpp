@@ -6,7 +6,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "io/index/same_bytes.h"
+#include "io/files/same_bytes.h"
 #include "io/regular_file.h"
 #include "io/study/study.h"
 

@@ -21,4 +21,10 @@ std::optional<bool> showsFaceIn3d(const SeriesIdentity& series) {
   return false;
 }
 
+std::optional<bool> showFaceIn3d(const SeriesIdentity& one, const SeriesIdentity& other) {
+  const auto ofOne = showsFaceIn3d(one), ofOther = showsFaceIn3d(other);
+  if (ofOne == true || ofOther == true) return true;
+  return ofOne ? ofOther : ofOne;
+}
+
 }  // namespace volumen

@@ -1,6 +1,6 @@
 // Guards File > More pictures > Film... by real events: each picture of a film is what the view shows there,
-// without names; a film is of the stack, of time points that are read for it, or of a turn in 3D; one that is
-// cancelled or cannot be written leaves nothing.
+// without names; a film is of the stack, of time points that are read for it, also in 3D, or of a turn in 3D;
+// one that is cancelled or cannot be written leaves nothing.
 #include <QLabel>
 #include <QTemporaryDir>
 
@@ -44,6 +44,8 @@ class TestFilms : public QObject {
   void aStackIsAFilm();
   void timePointsAreAFilm();
   void aTurnIsAFilm();
+  void timePointsIn3dAreAFilm();
+  void timePointsIn3dAreCancelled();
   void itIsMp4WhereThatIsChosen();
   void whatIsMissingForMp4IsSaid();
   void whatIsCancelledLeavesNothing();
@@ -138,6 +140,70 @@ void TestFilms::aTurnIsAFilm() {
   QVERIFY2(film.pictures[0] != film.pictures[1], "the ball stands beside the axis");
   QVERIFY(film.pictures[1] != film.pictures[3]);
   QCOMPARE(QImage(path, "PNG").text(QStringLiteral("Comment")), QStringLiteral("Not for clinical use"));
+}
+
+// By the camera and the window of the one in view, which is as the first picture of its turn. In a maximum
+// projection, the grey in the middle is that of the value.
+void TestFilms::timePointsIn3dAreAFilm() {
+  const QTemporaryDir folder;
+  Perfusion w(fourVolumes(folder));
+  QVERIFY(w.opened());
+  QVERIFY(w.shows(100));
+  w.session().edit(sceneViewId, QStringLiteral("test"), [](Scene& s) {
+    s.mode = Mode::mip;
+    s.window = Window{250, 500};
+  });
+  w.session().setFocus(sceneViewId);
+  const Workspace before = w.workspace();
+  std::vector<FilmRead> films;
+  for (const bool isOfSteps : {false, true}) {
+    const QString path =
+        folder.filePath(isOfSteps ? QStringLiteral("steps.png") : QStringLiteral("turn.png"));
+    PictureDialog* dialog = ask(w, "saveFilm");
+    QVERIFY(dialog);
+    chooseByKeys(dialog, "filmOf", isOfSteps);
+    QCOMPARE(dialog->findChild<QWidget*>(QStringLiteral("filmPictures"))->isVisible(), !isOfSteps);
+    QCOMPARE(dialog->findChild<QWidget*>(QStringLiteral("pictureEvery"))->isVisible(), isOfSteps);
+    if (isOfSteps)
+      QCOMPARE(dialog->findChild<QLabel*>(QStringLiteral("pictureCount"))->text(),
+               QStringLiteral("4 pictures"));
+    else
+      set(dialog, "filmPictures", 2);
+    set(dialog, "pictureWidth", 80);
+    tick(dialog, "pictureTexts", false);
+    accept(dialog);
+    answer(w, "filmDialog", path);
+    films.push_back(filmAt(path));
+    QCOMPARE(films.back().flaw, QString());
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::DeferredDelete);
+  }
+  QVERIFY(w.workspace() == before);
+  const std::vector<QImage>& steps = films[1].pictures;
+  QCOMPARE(steps.size(), std::size_t(Perfusion::steps));
+  QCOMPARE(steps[0], films[0].pictures[0]);
+  for (int n = 0; n < Perfusion::steps; ++n) {
+    const QImage& picture = steps[std::size_t(n)];
+    QCOMPARE(picture.width(), 80);
+    const int grey = qGreen(picture.pixel(picture.rect().center())), wanted = 255 * 100 * (n + 1) / 500;
+    QVERIFY2(std::abs(grey - wanted) <= 12, qPrintable(QString::number(grey)));
+  }
+}
+
+void TestFilms::timePointsIn3dAreCancelled() {
+  const QTemporaryDir source, folder;
+  Perfusion w(fourVolumes(source));
+  QVERIFY(w.opened());
+  w.session().setFocus(sceneViewId);
+  PictureDialog* dialog = ask(w, "saveFilm");
+  QVERIFY(dialog);
+  chooseByKeys(dialog, "filmOf", 1);
+  set(dialog, "pictureWidth", 4000);  // takes time
+  accept(dialog);
+  answer(w, "filmDialog", folder.filePath(QStringLiteral("steps.png")));
+  QTRY_VERIFY_WITH_TIMEOUT(w.child<QWidget>("cancelTask")->isVisible(), longest);
+  QTest::mouseClick(w.child<QWidget>("cancelTask"), Qt::LeftButton);
+  QTRY_COMPARE_WITH_TIMEOUT(w.child<Banner>("banner")->sentence(), QStringLiteral("Cancelled."), longest);
+  QTRY_COMPARE_WITH_TIMEOUT(everythingIn(folder), QStringList(), longest);
 }
 
 void TestFilms::itIsMp4WhereThatIsChosen() {

@@ -95,18 +95,25 @@ void PictureDialog::addSize() {
 
 void PictureDialog::addFilm(int timePoints) {
   const bool isTurn = of_ == PicturesOf::turn;
-  filmOf_ = choiceField({QStringLiteral("filmOf"), tr("What")}, {tr("All of the stack"), tr("Time points")});
+  filmOf_ = choiceField({QStringLiteral("filmOf"), tr("What")},
+                        {isTurn ? tr("A full turn") : tr("All of the stack"), tr("Time points")});
   filmFormat_ = choiceField({QStringLiteral("filmFormat"), tr("Format")},
                             {tr("Animated PNG"), tr("MP4 (needs the package ffmpeg)")});
   form_->addRow(filmOf_->accessibleName(), filmOf_);
   form_->addRow(filmFormat_->accessibleName(), filmFormat_);
-  form_->setRowVisible(filmOf_, timePoints > 1 && !isTurn);
+  form_->setRowVisible(filmOf_, timePoints > 1);
   form_->setRowVisible(filmFormat_, isFilm());
   turnPictures_ = number("filmPictures", tr("Pictures of the turn"), 2, 999, 36, isTurn);
   perSecond_ = number("filmPerSecond", tr("Pictures a second"), 1, 100, 10, isFilm());
-  connect(filmOf_, &QComboBox::currentIndexChanged, this, [this, timePoints] {
-    offerNumbers(isOfTimePoints() ? timePoints : std::max(1, stack_.numberCount));
-  });
+  connect(filmOf_, &QComboBox::currentIndexChanged, this, [this, timePoints] { followFilmOf(timePoints); });
+}
+
+void PictureDialog::followFilmOf(int timePoints) {
+  offerNumbers(isOfTimePoints() ? timePoints : std::max(1, stack_.numberCount));
+  if (of_ != PicturesOf::turn) return;
+  form_->setRowVisible(turnPictures_, !isOfTimePoints());
+  for (QSpinBox* box : {first_, last_, every_}) form_->setRowVisible(box, isOfTimePoints());
+  form_->setRowVisible(count_, isOfTimePoints());
 }
 
 void PictureDialog::offerNumbers(int count) {

@@ -22,15 +22,15 @@ enum class PicturesOf {
   stack,  ///< one file for each position of the stack
   sheet,  ///< a contact sheet of rows and columns
   film,   ///< one file of the positions of the stack or the time points, without names
-  turn    ///< one file of a full turn of a 3D view
+  turn    ///< one file of a full turn of a 3D view or of its time points
 };
 
 /// Asks for size, positions and texts of pictures of a flat view, or of a film of a 3D view.
 class PictureDialog : public QDialog {
   Q_OBJECT
  public:
-  /// `stack` is that of the view, and `seen` its size in logical pixels. A film can be of several
-  /// `timePoints` instead.
+  /// `stack` is that of the view, and `seen` its size in logical pixels. A film or turn can be of
+  /// several `timePoints` instead.
   PictureDialog(PicturesOf of, Stack stack, QSize seen, QWidget* parent = nullptr, int timePoints = 0);
 
   PictureLook look() const;
@@ -54,6 +54,7 @@ class PictureDialog : public QDialog {
   void addNumbers(int count);
   void addFilm(int timePoints);
   void offerNumbers(int count);
+  void followFilmOf(int timePoints);
   void addTexts();
   void addButtons();
   QSpinBox* number(const char* name, const QString& label, int least, int most, int value, bool isShown);

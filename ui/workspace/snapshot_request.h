@@ -1,12 +1,15 @@
 #pragma once
 
 #include <QSize>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "results/segments/segment_picture_text.h"
 #include "results/series/loaded_series.h"
 #include "viewer/plan/options.h"
 #include "viewer/scene/scene.h"
+#include "viewer/segment/mask.h"
 
 namespace volumen {
 
@@ -27,14 +30,22 @@ struct SnapshotSeen {
   bool namesHidden = false;
 };
 
-/// A snapshot or turntable to be made.
+/// Time points that are drawn one after another by one scene. They are read for it.
+struct SnapshotSteps {
+  std::vector<std::shared_ptr<const Series>> series{};
+  Mask mask{};                ///< what is cut away from each
+  bool withoutTable = false;  ///< the patient alone is drawn, where there is a table
+};
+
+/// A snapshot, a turntable, or pictures of time points to be made.
 struct SnapshotRequest {
   SnapshotSeen seen;
   QSize size;
   Quality quality = Quality::high;
   std::optional<Background> background;  ///< empty: the scene's
   Annotations shown;
-  int pictures = 1;  ///< in a full turn about the camera's up axis
+  int pictures = 1;       ///< in a full turn about the camera's up axis
+  SnapshotSteps steps{};  ///< if there are any, they are drawn instead of a turn
 };
 
 }  // namespace volumen

@@ -272,6 +272,7 @@ void TestExportCurve::wrongInputIsRefused_data() {
   row("directions", one, "--right 1,0,0 --down 0,1,0", 2, "--right does not go with --roi");
   row("another grid", one, "--onto phantom:ct-head:32", 2, "--onto does not go with --roi");
   row("in colour", one, "--overlay phantom:ct-head:32", 2, "--overlay does not go with --roi");
+  row("in colours of its own file", one, "--overlay-series 1", 2, "--overlay-series does not go with --roi");
   row("a face", one, "--deface", 2, "--deface");
   row("a window", one, "--window 40,400", 2, "--window");
 }

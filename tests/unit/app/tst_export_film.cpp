@@ -1,6 +1,6 @@
 // Guards export.md, films: `volumen export --as apng` writes the pictures of `volumen render` and `volumen
-// slice` bit for bit, and `--as mp4` nearly so. A film has one picture for each slice, time point or frame,
-// all in one window. Wrong options are refused as wrong usage.
+// slice` bit for bit, and `--as mp4` nearly so. A film has one picture for each slice or time point, all in
+// one window. Wrong options are refused as wrong usage.
 #include <QDir>
 #include <QFile>
 #include <QImage>
@@ -10,7 +10,6 @@
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/fixtures/read_film.h"
-#include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
@@ -24,9 +23,6 @@ class TestExportFilm : public QObject {
   void stacksAreThoseOfSlice();
   void timePointsAreInOneWindow();
   void timePointsIn3dAreDrawnAlike();
-  void clipsAreTheirFrames_data();
-  void clipsAreTheirFrames();
-  void framesWithoutAWindowShareOne();
   void mp4IsNearlyTheSame();
   void namesAreInNoFilm();
   void wrongWordsAreUsage_data();
@@ -187,63 +183,6 @@ void TestExportFilm::timePointsIn3dAreDrawnAlike() {
     QCOMPARE(film.pictures[std::size_t(n)], pictureIn(png));
   }
   QVERIFY(film.pictures[0] != film.pictures[1] && film.pictures[1] != film.pictures[2]);
-}
-
-void TestExportFilm::clipsAreTheirFrames_data() {
-  QTest::addColumn<QString>("file");
-  QTest::addColumn<int>("frames");
-  QTest::addColumn<QString>("options");
-  QTest::addColumn<int>("perSecond");
-  const auto row = [](const char* name, const char* file, int frames, const char* options, int perSecond) {
-    QTest::newRow(name) << QString::fromLatin1(file) << frames << QString::fromLatin1(options) << perSecond;
-  };
-  row("ultrasound in colour, as fast as its file says", "us-cine-aspect-regions.dcm", 34, "", 33);
-  row("ultrasound, as fast as asked", "us-palette-cine-10.dcm", 10, "--fps 7", 7);
-  row("an angiography in a window", "xa-96frames.dcm", 96, "--window 300,200", 30);
-}
-
-void TestExportFilm::clipsAreTheirFrames() {
-  QFETCH(QString, file);
-  QFETCH(int, frames);
-  QFETCH(QString, options);
-  QFETCH(int, perSecond);
-  const QString clip = QString::fromStdString(dataPath("dicom-2d/" + file.toStdString()));
-  NEED_DATA(clip.toStdString());
-  const QString path = at(QStringLiteral("clip %1.png").arg(QLatin1String(QTest::currentDataTag())));
-  const QString plane = QStringLiteral(" --plane frame");
-  const Outcome done =
-      run(QStringLiteral("export"), clip, options + plane + QStringLiteral(" --as apng"), path);
-  QVERIFY2(done.status == 0, done.err);
-  const FilmRead film = readAnimatedPng(contentsOf(path));
-  QCOMPARE(film.flaw, QString());
-  QCOMPARE(film.pictures.size(), std::size_t(frames));
-  QCOMPARE(film.delays[0], std::pair(1, perSecond));
-  const QString window =
-      options.contains(QStringLiteral("--window")) ? QLatin1Char(' ') + options : QString();
-  for (const int n : {0, frames / 2, frames - 1}) {
-    const QString png = at(QStringLiteral("frame.png"));
-    const Outcome drawn =
-        run(QStringLiteral("slice"), clip, plane + window + QStringLiteral(" --index %1").arg(n), png);
-    QVERIFY2(drawn.status == 0, drawn.err);
-    QCOMPARE(film.pictures[std::size_t(n)], pictureIn(png));
-  }
-}
-
-// Two slices have the constant values 100 and 200. A common window makes them black and white. Windows of
-// their own would not.
-void TestExportFilm::framesWithoutAWindowShareOne() {
-  const QString folder = at(QStringLiteral("two"));
-  QVERIFY(QDir().mkpath(folder));
-  for (int n = 0; n < 2; ++n)
-    writeDicom(folder.toStdString() + "/" + std::to_string(n),
-               {.instance = n + 1, .position = {0, 0, n}, .pixels = {std::uint16_t(100 * (n + 1))}});
-  const QString path = at(QStringLiteral("shared.png"));
-  const Outcome done = run(QStringLiteral("export"), folder, QStringLiteral("--as apng --plane frame"), path);
-  QVERIFY2(done.status == 0, done.err);
-  const FilmRead film = readAnimatedPng(contentsOf(path));
-  QCOMPARE(film.pictures.size(), std::size_t(2));
-  QCOMPARE(qGreen(film.pictures[0].pixel(0, 0)), 0);
-  QCOMPARE(qGreen(film.pictures[1].pixel(0, 0)), 255);
 }
 
 void TestExportFilm::mp4IsNearlyTheSame() {

@@ -48,6 +48,8 @@ class TestExportFused : public QObject {
   void slicesAreThoseOfSlice();
   void theyLieInTheStudyBelow();
   void oneIsASecondaryCapture();
+  void facesOfBothCount_data();
+  void facesOfBothCount();
   void wrongInputIsRefused_data();
   void wrongInputIsRefused();
 
@@ -224,6 +226,42 @@ void TestExportFused::oneIsASecondaryCapture() {
   for (int y = 0; y < picture.height(); ++y)
     QVERIFY(std::equal(picture.constScanLine(y), picture.constScanLine(y) + 3 * picture.width(),
                        rgb + y * 3 * picture.width()));
+}
+
+void TestExportFused::facesOfBothCount_data() {
+  QTest::addColumn<QString>("under");
+  QTest::addColumn<QString>("over");
+  QTest::addColumn<QByteArray>("shown");  // empty: not known
+  const QString head = QStringLiteral("phantom:ct-head:24"), ball = QStringLiteral("phantom:sphere:16");
+  QTest::newRow("a head below") << head << ball << QByteArray("YES");
+  QTest::newRow("a head above") << ball << head << QByteArray("YES");
+  QTest::newRow("neither says what it shows") << ball << ball << QByteArray();
+}
+
+void TestExportFused::facesOfBothCount() {
+  QFETCH(QString, under);
+  QFETCH(QString, over);
+  QFETCH(QByteArray, shown);
+  const QTemporaryDir folder;
+  const auto in = [&](const char* name) { return folder.filePath(QString::fromLatin1(name)); };
+  const Outcome a = runProgram({QStringLiteral("convert"), under, QStringLiteral("-o"), in("under/")});
+  QVERIFY2(a.status == 0, a.err);
+  QFile key(in("key"));
+  QVERIFY(key.open(QIODevice::WriteOnly) && key.write("a key of these tests") > 0);
+  key.close();
+  const QStringList fused{
+      QStringLiteral("export"),    in("under"), QStringLiteral("--as"), QStringLiteral("series"),
+      QStringLiteral("--overlay"), over,        QStringLiteral("--at"), QStringLiteral("0"),
+      QStringLiteral("-o")};
+  const Outcome b = runProgram(fused + QStringList{in("fused")});
+  QVERIFY2(b.status == 0, b.err);
+  StoredFile made(storedFilesIn(in("fused"))[0]);
+  QCOMPARE(QByteArray::fromStdString(made.said(DCM_RecognizableVisualFeatures)), shown);
+  QCOMPARE(b.err.contains("A face may be recognised in a rendering"), !shown.isEmpty());
+  const Outcome c = runProgram(
+      fused + QStringList{in("copies"), QStringLiteral("--deidentify"), QStringLiteral("--key"), in("key")});
+  QVERIFY2(c.status == 0, c.err);
+  QCOMPARE(c.err.contains("A face may be recognised in pictures of a head"), !shown.isEmpty());
 }
 
 void TestExportFused::wrongInputIsRefused_data() {

@@ -1,6 +1,6 @@
-// Guards `volumen export --as series --remove-table`, `--segments`, `--without-segments` and of a session:
-// these parts alone become air, on the slices as they are and before they are resampled, in a new valid
-// series of the study.
+// Guards `volumen export --as series --remove-table`, `--segments` and `--without-segments`: these parts
+// alone become air, on the slices as they are and before they are resampled or fused, in a new valid series
+// of the study.
 #include <QDir>
 #include <QTemporaryDir>
 #include <algorithm>
@@ -9,17 +9,12 @@
 
 #include "io/files/write_volume.h"
 #include "io/open.h"
-#include "results/segments/segments.h"
 #include "tests/fixtures/ct_with_table.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
 #include "tests/unit/app/export_case.h"
 #include "tests/unit/app/series_case.h"
 #include "tests/unit/suite.h"
-#include "ui/controller/segment_files.h"
-#include "ui/workspace/series_segments.h"
-#include "ui/workspace/session_json.h"
-#include "viewer/segment/range.h"
 
 using namespace volumen;
 using namespace volumen::tests;
@@ -37,6 +32,31 @@ float lowestOf(const Volume& volume) {
   return lowest;
 }
 
+// The pictures in a folder, in order.
+QList<QByteArray> coloursIn(const QString& folder) {
+  QList<QByteArray> all;
+  for (const QString& path : storedFilesIn(folder)) {
+    StoredFile stored(path);
+    const Uint8* rgb = nullptr;
+    unsigned long size = 0;
+    if (stored.file.getDataset()->findAndGetUint8Array(DCM_PixelData, rgb, &size).good())
+      all << QByteArray(reinterpret_cast<const char*>(rgb), qsizetype(size));
+  }
+  return all;
+}
+
+// The largest difference of two lists of pictures; 255 if they have different sizes.
+int largestDifference(const QList<QByteArray>& a, const QList<QByteArray>& b) {
+  if (a.size() != b.size()) return 255;
+  int largest = 0;
+  for (qsizetype k = 0; k < a.size(); ++k) {
+    if (a[k].size() != b[k].size()) return 255;
+    for (qsizetype n = 0; n < a[k].size(); ++n)
+      largest = std::max(largest, std::abs(int(std::uint8_t(a[k][n])) - int(std::uint8_t(b[k][n]))));
+  }
+  return largest;
+}
+
 }  // namespace
 
 class TestExportParts : public QObject {
@@ -47,17 +67,13 @@ class TestExportParts : public QObject {
   void whatIsInSegmentsStaysOrGoes();
   void partsGoBeforeSlicesAreResampled();
   void partsGoBeforeTheOtherGrid();
-  void sessionsGiveWhatTheyShow_data();
-  void sessionsGiveWhatTheyShow();
-  void sessionsWithoutTheirSegmentsAreRefused();
+  void partsGoBeforeTheOverlay();
   void theSeriesIsNewInItsStudy_data();
   void theSeriesIsNewInItsStudy();
   void othersAreRefused_data();
   void othersAreRefused();
 
  private:
-  // Writes a session that shows the CT with a table in 3D: without the table, or only inside the spine.
-  QString sessionOf(const QTemporaryDir& folder, bool withoutTable, bool onlySpine) const;
   QString at(const char* name) const { return folder_.filePath(QString::fromLatin1(name)); }
   Outcome exported(const QString& source, const QString& options, const QString& folder) const {
     return runProgram(QStringList{QStringLiteral("export"), source, QStringLiteral("--as"),
@@ -158,82 +174,32 @@ void TestExportParts::partsGoBeforeTheOtherGrid() {
     if (made->valueAt(n) != wanted->valueAt(n)) QCOMPARE(made->valueAt(n), wanted->valueAt(n));
 }
 
-QString TestExportParts::sessionOf(const QTemporaryDir& folder, bool withoutTable, bool onlySpine) const {
-  const QString ct = folder.filePath(QStringLiteral("ct.nrrd")),
-                session = folder.filePath(QStringLiteral("s.volumen"));
-  const VolumePtr volume = CtWithTable::volume(true);
-  if (!writeVolume(*volume, ct.toStdString())) return {};
-  const auto study = openStudy(ct.toStdString());
-  if (!study) return {};
-  const SeriesKey series = keyOf(study->volumes[0]);
-  Workspace workspace = withSeries({}, sceneViewId, study->volumes[0], {});
-  workspace.series.edit(series).mask.tableRemoved = withoutTable;
-  if (onlySpine) {
-    Segment spine;
-    spine.label = "Spine";
-    workspace = withNewSegment(std::move(workspace), series, volume->geometry(), spine);
-    const SegmentMap map = *segmentMapOf(workspace, series, 0);
-    workspace =
-        withSegmentMap(std::move(workspace), withMask(map, map.current, voxelsInRange(*volume, {690, 710})));
-    workspace = withTissueShown(std::move(workspace), series, {TissueShown::Where::inside, 0});
-  }
-  if (!writeSegmentMaps(session.toStdString(), workspace)) return {};
-  const auto text = sessionToJson(workspace, folder.path().toStdString());
-  QFile file(session);
-  if (!text || !file.open(QIODevice::WriteOnly) || file.write(QByteArray::fromStdString(*text)) < 0)
-    return {};
-  return session;
-}
-
-void TestExportParts::sessionsGiveWhatTheyShow_data() {
-  QTest::addColumn<bool>("withoutTable");
-  QTest::addColumn<bool>("onlySpine");
-  QTest::addColumn<QByteArray>("says");  // in brackets; empty: nothing is taken away
-  QTest::newRow("all") << false << false << QByteArray();
-  QTest::newRow("without its table") << true << false << QByteArray("(table removed)");
-  QTest::newRow("only inside segments") << false << true << QByteArray("(only inside segments)");
-  QTest::newRow("both") << true << true << QByteArray("(table removed, only inside segments)");
-}
-
-// Voxels are cubes: axial slices of the whole are those of the file.
-void TestExportParts::sessionsGiveWhatTheyShow() {
-  QFETCH(bool, withoutTable);
-  QFETCH(bool, onlySpine);
-  QFETCH(QByteArray, says);
+// What is left is fused like a series of its own, whose places are rounded in its files. The overlay stays
+// whole.
+void TestExportParts::partsGoBeforeTheOverlay() {
+  const std::string path = dataPath(mrWithSegments);
+  NEED_DATA(path);
+  QVERIFY(!bright().isEmpty());
   const QTemporaryDir folder;
-  const QString session = sessionOf(folder, withoutTable, onlySpine);
-  QVERIFY(!session.isEmpty());
-  const QString out = folder.filePath(QStringLiteral("out"));
-  const Outcome a = exported(session, {}, out);
-  QVERIFY2(a.status == 0, a.err);
-  QCOMPARE(a.err.contains("leaves out in 3D " + says), !says.isEmpty());
-  const VolumePtr made = volumeAt(out.toStdString()), whole = CtWithTable::volume(!withoutTable);
-  QVERIFY(made->size() == whole->size());
-  for (std::size_t n = 0; n < std::size_t(whole->geometry().voxelCount()); ++n) {
-    const float wanted = onlySpine && whole->valueAt(n) != 700 ? -1000 : whole->valueAt(n);
-    if (made->valueAt(n) != wanted) QCOMPARE(made->valueAt(n), wanted);
+  const auto in = [&](const char* name) { return folder.filePath(QString::fromLatin1(name)); };
+  const QString from = QString::fromStdString(path),
+                parts = QStringLiteral("--without-segments --segments ") + bright(),
+                fused = QStringLiteral(" --plane coronal --spacing 60 --window 300,600 --overlay ") + from;
+  for (const auto& [source, options, name] :
+       {std::tuple(from, parts, "left"), {from, parts + fused, "fused"}, {from, fused, "whole"}}) {
+    const Outcome a = exported(source, options, in(name));
+    QVERIFY2(a.status == 0, a.err);
   }
-  if (says.isEmpty()) return;
-  const Outcome twice = exported(session, QStringLiteral("--overlay phantom:ct-head:24 --plane axial"),
-                                 folder.filePath(QStringLiteral("colour")));
-  QCOMPARE(twice.status, 1);
-  QVERIFY2(twice.err.contains("do not go with parts that are taken away"), twice.err);
-}
-
-void TestExportParts::sessionsWithoutTheirSegmentsAreRefused() {
-  const QTemporaryDir folder;
-  const QString session = sessionOf(folder, false, true);
-  const QStringList labels = segmentFilesOf(session);
-  QCOMPARE(labels.size(), 1);
-  QVERIFY(QFile::remove(labels.front()));
-  const QString out = folder.filePath(QStringLiteral("out"));
-  const Outcome lost = exported(session, {}, out);
-  QCOMPARE(lost.status, 1);
-  QVERIFY2(lost.err.contains("segments of the session were not found"), lost.err);
-  const Outcome said = exported(session, QStringLiteral("--remove-table"), out);
-  QCOMPARE(said.status, 2);
-  QVERIFY2(said.err.contains("is a session, which says what is shown"), said.err);
-  QVERIFY(!QDir(out).exists());
+  const Outcome twice = exported(in("left"), fused, in("twice"));
+  QVERIFY2(twice.status == 0, twice.err);
+  const QList<QByteArray> made = coloursIn(in("fused"));
+  QVERIFY(made.size() > 1);
+  QVERIFY(largestDifference(made, coloursIn(in("twice"))) <= 3);
+  QVERIFY(largestDifference(made, coloursIn(in("whole"))) > 30);
+  StoredFile first(storedFilesIn(in("fused"))[0]);
+  QVERIFY(first.said(DCM_SeriesDescription).starts_with("Without Range 300:"));
+  const std::string how = first.said(DCM_DerivationDescription);
+  QVERIFY2(how.find("with air in place of the segments Range 300:") != std::string::npos, how.c_str());
 }
 
 void TestExportParts::theSeriesIsNewInItsStudy_data() {
@@ -305,9 +271,7 @@ void TestExportParts::othersAreRefused_data() {
   row("the table of no CT", "phantom:sphere:16", "--remove-table", 1, "not Hounsfield units");
   row("no segments to leave out", head, "--without-segments", 2, "requires --segments");
   row("segments that are not there", head, "--segments none.seg.nrrd", 1, "none.seg.nrrd");
-  row("a face, too", head, "--remove-table --deface", 2, "--deface and --overlay do not go with");
-  row("in colour", head, "--remove-table --plane axial --overlay phantom:ct-head:32", 2,
-      "--deface and --overlay do not go with");
+  row("a face, too", head, "--remove-table --deface", 2, "--deface does not go with parts");
   row("empty segments", head, "--segments EMPTY", 1, "no voxel of the series lies in its segments");
 }
 

@@ -10,6 +10,8 @@
 #include <memory>
 #include <set>
 
+#include "io/presentation.h"
+#include "io/report.h"
 #include "io/study/study.h"
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/program.h"
@@ -26,6 +28,8 @@ class TestExportValid : public QObject {
  private Q_SLOTS:
   void whatHasNoNameIsRefused_data();
   void whatHasNoNameIsRefused();
+  void copiesOfAnImageAreOne_data();
+  void copiesOfAnImageAreOne();
   void picturesWithoutNameAreNotNamed_data();
   void picturesWithoutNameAreNotNamed();
   void elementsFitTheClass_data();
@@ -138,6 +142,43 @@ void TestExportValid::whatHasNoNameIsRefused() {
   QCOMPARE(done.status, 1);
   QVERIFY2(done.err.contains(says), done.err);
   QVERIFY(!done.err.contains("mosaic") && !QFile::exists(at("out.dcm")));
+}
+
+void TestExportValid::copiesOfAnImageAreOne_data() {
+  QTest::addColumn<QString>("options");
+  QTest::newRow("key images") << QStringLiteral("ko --images UID");
+  QTest::newRow("a state of a chosen image") << QStringLiteral("gsps --window 100,150 --images UID");
+  QTest::newRow("a state of all images") << QStringLiteral("gsps --window 100,150");
+}
+
+// What is said of one of two equal files is as if the other were not there.
+void TestExportValid::copiesOfAnImageAreOne() {
+  QFETCH(QString, options);
+  const std::string clipPath = dataPath("dicom-2d/xa-96frames.dcm");
+  NEED_DATA(clipPath);
+  folder_ = std::make_unique<QTemporaryDir>();
+  const QTemporaryDir images;
+  for (const char* name : {"a.dcm", "b.dcm"})
+    QVERIFY(QFile::copy(QString::fromStdString(clipPath), images.filePath(QLatin1String(name))));
+  const std::string uid = StoredFile(images.filePath(QStringLiteral("a.dcm"))).said(DCM_SOPInstanceUID);
+  options.replace(QLatin1String("UID"), QString::fromStdString(uid));
+  const Outcome done = exported(images.path(), options);
+  QVERIFY2(done.status == 0, done.err);
+  const std::string out = at("out.dcm").toStdString();
+  std::vector<ReferencedPicture> pictures;
+  if (options.startsWith(QLatin1String("ko"))) {
+    const Result<KeyObjects> keys = loadKeyObjects(out);
+    QVERIFY(keys);
+    pictures = keys->pictures;
+  } else {
+    const Result<Presentation> state = loadPresentation(out);
+    QVERIFY(state);
+    pictures = state->pictures;
+  }
+  QCOMPARE(pictures.size(), std::size_t(1));
+  QCOMPARE(pictures[0].sopInstanceUid, uid);
+  const std::set<int> frames(pictures[0].frames.begin(), pictures[0].frames.end());
+  QCOMPARE(frames.size(), pictures[0].frames.size());
 }
 
 void TestExportValid::picturesWithoutNameAreNotNamed_data() {

@@ -26,6 +26,7 @@ class TestArchiveExport : public QObject {
   void orthancGivesEachBack_data() { whatIsWrittenIsSent_data(); }
   void orthancGivesEachBack();
   void whatIsNotTakenIsTold();
+  void warningsOfCopiesNameTheArchive();
   void wrongNamesAreRefusedAtOnce_data();
   void wrongNamesAreRefusedAtOnce();
   void cleanup();
@@ -175,6 +176,16 @@ void TestArchiveExport::whatIsNotTakenIsTold() {
   QCOMPARE(told[QStringLiteral("name")].toString(), QStringLiteral("to"));
   QCOMPARE(told[QStringLiteral("instances")].toInt(), 1);
   QCOMPARE(told[QStringLiteral("sent")].toInt(-1), 0);
+}
+
+void TestArchiveExport::warningsOfCopiesNameTheArchive() {
+  const StorePeer peer;
+  QVERIFY(peer.isListening);
+  const Outcome sent =
+      exported(peer.port(), at("scans"), QStringLiteral("--deidentify --json -o archive:to"));
+  QVERIFY2(sent.status == 0, sent.err);
+  QVERIFY2(sent.err.contains("A face may be recognised in pictures of a head: archive:to/"), sent.err);
+  QVERIFY2(!sent.err.contains("temporary") && !sent.out.contains("temporary"), sent.err + sent.out);
 }
 
 void TestArchiveExport::wrongNamesAreRefusedAtOnce_data() {

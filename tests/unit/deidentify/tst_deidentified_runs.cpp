@@ -41,6 +41,8 @@ void TestDeidentifiedRuns::attributesBesideTheTableLoseIdentity_data() {
   row("a code with a name", 0x00180015, "CS", "MUSTERMANN", "DEIDENTIFIED");
   row("one of several codes", 0x00080008, "CS", "ORIGINAL\\PRIMARY\\MUSTERMANN\\M",
       "ORIGINAL\\PRIMARY\\DEIDENTIFIED\\M");
+  row("a name over two codes", 0x00080008, "CS", "ORIGINAL\\PRIMARY\\MUSTER\\MANN",
+      "ORIGINAL\\PRIMARY\\DEIDENTIFIED\\DEIDENTIFIED");
   row("a code without a name", 0x00180015, "CS", "HEAD", "HEAD");
   row("a short whole name", 0x00081090, "LO", "of ERIKA mustermann", "DEIDENTIFIED");
   row("the UID of a source", 0x00081167, "UI", "1.2.3.8\\1.2.3.9",

@@ -1,4 +1,4 @@
-#include "io/index/same_bytes.h"
+#include "io/files/same_bytes.h"
 
 #include <algorithm>
 
@@ -18,6 +18,13 @@ std::optional<bool> haveSameBytes(const std::string& a, const std::string& b) {
     if (*x != *y) return false;
   }
   return true;
+}
+
+bool FileCopies::areAlike(const std::string& a, const std::string& b) {
+  if (a == b) return true;
+  const auto [known, isNew] = compared_.try_emplace({a, b});
+  if (isNew) known->second = haveSameBytes(a, b) == true;
+  return known->second;
 }
 
 }  // namespace volumen
