@@ -23,7 +23,7 @@ void TestSegmentSequences::allIsUndoneAndDoneAgain_data() {
 // Does 200 acts with VOLUMEN_THOROUGH.
 void TestSegmentSequences::allIsUndoneAndDoneAgain() {
   QFETCH(int, seed);
-  const int acts = qEnvironmentVariableIsSet("VOLUMEN_THOROUGH") ? 200 : 40;
+  const int acts = isThorough() ? 200 : 40;
   SegmentSequence w(seed);
   QCOMPARE(w.count(), std::size_t(2));
   for (int n = 0; n < acts; ++n) {

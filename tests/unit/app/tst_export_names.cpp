@@ -18,6 +18,7 @@
 #include "io/report.h"
 #include "io/segmentation.h"
 #include "tests/fixtures/program.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/unit/app/export_case.h"
 #include "tests/unit/app/series_case.h"
 #include "tests/unit/io/study_sources.h"
@@ -52,6 +53,16 @@ constexpr NamedFormat namedFormats[] = {
     {"slices without table", "series --remove-table", true},
     {"slices of segments", "series --segments SEGMENTS", true},
     {"slices without segments", "series --segments SEGMENTS --without-segments", true}};
+
+// Returns the formats to try with a text: a third of them, others for texts of other lengths, or all if
+// isThorough().
+std::vector<NamedFormat> formatsFor(const QString& text) {
+  std::vector<NamedFormat> formats;
+  qsizetype n = text.size();
+  for (const NamedFormat& format : namedFormats)
+    if (n++ % 3 == 0 || isThorough()) formats.push_back(format);
+  return formats;
+}
 
 // Returns the patients' names that volumen reads in a file or folder.
 std::set<std::string> patientsIn(const QString& path) {
@@ -209,7 +220,7 @@ void TestExportNames::patientsStay() {
   const QString source = folder.filePath(QStringLiteral("source"));
   writeNamed(source, set, name);
   QStringList files = storedFilesIn(source).mid(0, 1);
-  for (const NamedFormat& format : namedFormats) {
+  for (const NamedFormat& format : formatsFor(text)) {
     const QString file = exported(source, format, folder.path());
     QVERIFY2(!file.isEmpty(), format.what);
     files << file;
@@ -266,7 +277,7 @@ void TestExportNames::titlesStay() {
              "Nu\xf1"
              "ez");
   QVERIFY(setTitle(text));
-  for (const NamedFormat& format : namedFormats) {
+  for (const NamedFormat& format : formatsFor(text)) {
     const std::string_view what = format.what;
     const bool isTitled = QString::fromLatin1(format.options)
                               .contains(QRegularExpression(QStringLiteral("SHAPES|SEGMENTS|TITLE")));

@@ -10,6 +10,7 @@
 #include "tests/fixtures/fixtures.h"
 #include "tests/fixtures/grids.h"
 #include "tests/fixtures/program.h"
+#include "tests/fixtures/seeds.h"
 #include "tests/fixtures/small_volumes.h"
 #include "tests/unit/app/slice_case.h"
 #include "tests/unit/suite.h"
@@ -197,6 +198,7 @@ void TestSliceTwin::obliquePlanesOfStudies() {
   QCOMPARE(faultsOf(slice, *volume, plane), QString());
 }
 
+// Of each grid a third, so that three grids together have all samplings, unless isThorough().
 void TestSliceTwin::everySamplingOfEveryGrid_data() {
   QTest::addColumn<QString>("grid");
   QTest::addColumn<int>("slab");
@@ -204,13 +206,17 @@ void TestSliceTwin::everySamplingOfEveryGrid_data() {
   QTest::addColumn<bool>("average");
   static const char* const slabs[] = {"maxima", "minima", "means", "no slab"};
   static const char* const interpolations[] = {"linear", "nearest", "cubic"};
-  for (const Grid& grid : grids)
+  int n = 0;
+  for (const Grid& grid : grids) {
+    ++n;
     for (int slab = 0; slab < 4; ++slab)
       for (int interpolation = 0; interpolation < 3; ++interpolation)
         for (bool average : {false, true})
-          QTest::addRow("%s, %s, %s%s", grid.name, slabs[slab], interpolations[interpolation],
-                        average ? ", averaged" : "")
-              << QString::fromLatin1(grid.name) << slab << interpolation << average;
+          if (isThorough() || (n + slab + interpolation) % 3 == int(average))
+            QTest::addRow("%s, %s, %s%s", grid.name, slabs[slab], interpolations[interpolation],
+                          average ? ", averaged" : "")
+                << QString::fromLatin1(grid.name) << slab << interpolation << average;
+  }
 }
 
 void TestSliceTwin::everySamplingOfEveryGrid() {
