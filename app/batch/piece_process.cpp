@@ -9,6 +9,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
@@ -24,6 +25,12 @@
 namespace volumen {
 
 namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double secondsSince(Clock::time_point begin) {
+  return std::chrono::duration<double>(Clock::now() - begin).count();
+}
 
 struct PieceAnswer {
   int exitStatus = 0;
@@ -50,13 +57,13 @@ void startAgain(int fd) {
 
 PieceAnswer answerOf(const Piece& piece, const CancelToken& cancel) {
   startAgain(STDOUT_FILENO), startAgain(STDERR_FILENO);
-  forgetPeak();
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = Clock::now();
   PieceAnswer answer;
   answer.exitStatus = CommandLine(cancel).run(piece.words);
   std::cout.flush(), std::cerr.flush(), std::fflush(nullptr);
-  answer.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  answer.seconds = secondsSince(begin);
   answer.peakBytes = peakOfMemory();
+  forgetPeak();
   return answer;
 }
 
@@ -72,12 +79,21 @@ void limitMemory(std::uint64_t mostBytes) {
   limitMemory(mostBytes);
   worker::start();
   keepOpened();
+  forgetPeak();
   for (std::size_t index = 0; recv(socket, &index, sizeof index, MSG_WAITALL) == sizeof index;) {
     const PieceAnswer answer = answerOf(pieces[index], cancel);
     if (send(socket, &answer, sizeof answer, MSG_NOSIGNAL) != sizeof answer) break;
   }
   worker::stop();
   _exit(0);
+}
+
+// Stopped workers would count in what wait() tells of memory.
+bool restartsWorkers(const std::vector<Piece>& pieces) {
+  return std::ranges::any_of(pieces, [](const Piece& piece) {
+    return std::ranges::any_of(piece.words,
+                               [](const std::string& word) { return word.starts_with("--largest-frame"); });
+  });
 }
 
 std::string wholeOf(int fd) {
@@ -92,7 +108,8 @@ std::string wholeOf(int fd) {
 
 PieceProcess::PieceProcess(const std::vector<Piece>& pieces, const PieceLimits& limits,
                            const CancelToken& cancel)
-    : limits_(limits),
+    : restartsWorkers_(restartsWorkers(pieces)),
+      limits_(limits),
       cancel_(cancel),
       out_(memfd_create("stdout", MFD_CLOEXEC)),
       error_(memfd_create("stderr", MFD_CLOEXEC)) {
@@ -121,11 +138,13 @@ PieceProcess::~PieceProcess() {
 // Returns why the process ended.
 std::string PieceProcess::end() {
   int status = 0;
+  rusage use{};
   const bool isThere = pid_ > 0;
-  while (isThere && waitpid(pid_, &status, 0) < 0 && errno == EINTR) {
+  while (isThere && wait4(pid_, &status, 0, &use) < 0 && errno == EINTR) {
   }
   pid_ = -1;
   if (!isThere) return "could not be started";
+  if (use.ru_maxrss > 0 && !restartsWorkers_) peakBytes_ = std::uint64_t(use.ru_maxrss) * 1024;
   if (isLate_) return "took longer than --timeout allows";
   if (WIFSIGNALED(status)) return "was ended by signal " + std::to_string(WTERMSIG(status));
   return "ended with status " + std::to_string(WEXITSTATUS(status));
@@ -135,13 +154,12 @@ std::string PieceProcess::end() {
 bool PieceProcess::waitForAnswer() {
   constexpr int patienceMs = 200;
   pollfd answer{socket_.get(), POLLIN, 0};
-  const auto begin = std::chrono::steady_clock::now();
+  const auto begin = Clock::now();
   for (bool isTold = false;;) {
     const int ready = poll(&answer, 1, patienceMs);
     if (ready > 0 || (ready < 0 && errno != EINTR)) return ready > 0;
     if (cancel_.cancelled() && !std::exchange(isTold, true)) kill(pid_, SIGTERM);
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-    isLate_ = limits_.seconds > 0 && taken.count() > limits_.seconds;
+    isLate_ = limits_.seconds > 0 && secondsSince(begin) > limits_.seconds;
     if (isLate_) kill(pid_, SIGKILL);
   }
 }
@@ -149,12 +167,14 @@ bool PieceProcess::waitForAnswer() {
 PieceResult PieceProcess::run(std::size_t index) {
   PieceResult result;
   PieceAnswer answer;
-  const bool isAnswered = pid_ > 0 &&
-                          send(socket_.get(), &index, sizeof index, MSG_NOSIGNAL) == sizeof index &&
-                          waitForAnswer() && recv(socket_.get(), &answer, sizeof answer, 0) == sizeof answer;
+  const auto begin = Clock::now();
+  const bool isAsked = pid_ > 0 && send(socket_.get(), &index, sizeof index, MSG_NOSIGNAL) == sizeof index;
+  const bool isAnswered =
+      isAsked && waitForAnswer() && recv(socket_.get(), &answer, sizeof answer, 0) == sizeof answer;
   result.out = wholeOf(out_.get()), result.error = wholeOf(error_.get());
   if (!isAnswered) {
     result.end = end();
+    if (isAsked) result.seconds = secondsSince(begin), result.peakBytes = peakBytes_;
     return result;
   }
   result.exitStatus = answer.exitStatus;

@@ -43,6 +43,14 @@ LineJson errorsIn(const std::string& picture) {
   return errors;
 }
 
+// Returns what was measured of a piece.
+LineJson measuresOf(const PieceResult& result) {
+  LineJson facts = LineJson::object();
+  if (result.seconds) facts["seconds"] = std::round(*result.seconds * 1000) / 1000;
+  if (result.peakBytes) facts["peakMebibytes"] = *result.peakBytes >> 20;
+  return facts;
+}
+
 struct ToDo {
   Piece asked;
   std::string stamp;
@@ -130,9 +138,8 @@ class ListRun {
   // Returns whether it was done.
   bool finish(const ToDo& todo, const PieceResult& result) {
     const Piece& piece = todo.asked;
-    LineJson facts = {{"seconds", std::round(result.seconds * 1000) / 1000},
-                      {"peakMebibytes", result.peakBytes >> 20},
-                      {"warnings", linesOf(result.error)}};
+    LineJson facts = measuresOf(result);
+    facts["warnings"] = linesOf(result.error);
     if (result.exitStatus) facts["exit"] = *result.exitStatus;
     const bool isDoneWell = result.exitStatus == exitDone || result.exitStatus == exitLosses;
     if (cancel_.cancelled() && !isDoneWell) {

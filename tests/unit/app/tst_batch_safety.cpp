@@ -29,6 +29,12 @@ void startWithSlowPiece(const BatchFolder& folder, QProcess& process) {
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at(QStringLiteral("a.png.volumen-stamp"))), 60000);
 }
 
+// Returns whether the line of a process that was ended tells how long it ran, and some memory.
+bool tookAtLeast(const QJsonObject& line, double seconds) {
+  return !line.contains(QStringLiteral("exit")) && line[QStringLiteral("seconds")].toDouble() >= seconds &&
+         line[QStringLiteral("peakMebibytes")].toInt() > 5;
+}
+
 }  // namespace
 
 class TestBatchSafety : public QObject {
@@ -84,6 +90,7 @@ void TestBatchSafety::aKilledProcessCostsItsLine() {
   QCOMPARE(endsIn(out), ends);
   const QJsonArray said = lineIn(out, 2)[QStringLiteral("warnings")].toArray();
   QVERIFY2(said.contains(QStringLiteral("Its process was ended by signal 9.")), out);
+  QVERIFY2(tookAtLeast(lineIn(out, 2), 0.1), out);
 }
 
 void TestBatchSafety::littleMemoryIsSaid() {
@@ -107,6 +114,7 @@ void TestBatchSafety::whatTakesTooLongIsEnded() {
   const QMap<int, QString> ends{{1, QStringLiteral("failed")}, {2, QStringLiteral("done")}};
   QCOMPARE(endsIn(a.out), ends);
   QVERIFY2(a.out.contains("Its process took longer than --timeout allows."), a.out);
+  QVERIFY2(tookAtLeast(lineIn(a.out, 1), 5), a.out);
 }
 
 void TestBatchSafety::twoProgramsMayDoOneList() {
