@@ -20,15 +20,25 @@ namespace {
 
 using LineJson = nlohmann::ordered_json;
 
-// Returns the lines that a command wrote to stderr, without its name.
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> all;
+// Returns the sentences that a command wrote to stderr, without its name. Other lines, such as those of
+// --explain, are none. Behind the last sentence of a command that failed, they belong to it, or they are what
+// the system said of its end.
+std::vector<std::string> sentencesIn(const std::string& text, bool isDoneWell) {
+  constexpr std::string_view name = "volumen: ";
+  std::vector<std::string> all, others;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("volumen: ")) line.erase(0, 9);
-    if (!line.empty()) all.push_back(line);
+    if (line.starts_with(name))
+      all.push_back(line.substr(name.size())), others.clear();
+    else if (!line.empty())
+      others.push_back(line);
   }
+  if (!isDoneWell) all.insert(all.end(), others.begin(), others.end());
   return all;
+}
+
+bool isDoneWell(const PieceResult& result) {
+  return result.exitStatus == exitDone || result.exitStatus == exitLosses;
 }
 
 // Returns what a picture says of its error, in 1/255.
@@ -139,15 +149,15 @@ class ListRun {
   bool finish(const ToDo& todo, const PieceResult& result) {
     const Piece& piece = todo.asked;
     LineJson facts = measuresOf(result);
-    facts["warnings"] = linesOf(result.error);
+    const bool isWell = isDoneWell(result);
+    facts["warnings"] = sentencesIn(result.error, isWell);
     if (result.exitStatus) facts["exit"] = *result.exitStatus;
-    const bool isDoneWell = result.exitStatus == exitDone || result.exitStatus == exitLosses;
-    if (cancel_.cancelled() && !isDoneWell) {
+    if (cancel_.cancelled() && !isWell) {
       tell(piece, "interrupted", facts);
       return false;
     }
     if (!result.exitStatus) facts["warnings"].push_back("Its process " + result.end + ".");
-    if (!isDoneWell) return fail(piece, facts);
+    if (!isWell) return fail(piece, facts);
     if (const Status kept = keep(todo, result); !kept) {
       facts["warnings"].push_back(kept.message());
       facts["exit"] = int(exitFailed);
@@ -164,7 +174,7 @@ class ListRun {
   static Status keep(const ToDo& todo, const PieceResult& result) {
     if (todo.asked.keepsStdout)
       if (Status s = writeWholeFile(todo.asked.outputs[0], result.out); !s) return s;
-    const StampedEnd end{*result.exitStatus, linesOf(result.error)};
+    const StampedEnd end{*result.exitStatus, sentencesIn(result.error, true)};
     return todo.aside ? todo.aside->move(todo.stamp, end) : writeStamp(todo.asked, todo.stamp, end);
   }
 

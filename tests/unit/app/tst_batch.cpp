@@ -16,6 +16,8 @@ class TestBatch : public QObject {
   void badUseIsSaid();
   void everyCommandIsDoneAsByHand();
   void whatIsWrittenToStdoutIsNoTable();
+  void onlyWarningsAreToldAsSuch_data();
+  void onlyWarningsAreToldAsSuch();
   void shardsDoEachPieceOnce();
   void slurmTasksAreShards_data();
   void slurmTasksAreShards();
@@ -177,6 +179,42 @@ void TestBatch::whatIsWrittenToStdoutIsNoTable() {
   QVERIFY2(a.status == 0, a.out + a.err);
   QVERIFY(folder.contents(QStringLiteral("a.json")).startsWith('{'));
   QVERIFY(folder.contents(QStringLiteral("a.csv")).startsWith("Name,"));
+}
+
+void TestBatch::onlyWarningsAreToldAsSuch_data() {
+  QTest::addColumn<QString>("command");
+  QTest::addColumn<QJsonObject>("options");
+  QTest::addColumn<QStringList>("said");
+  const QString size = QStringLiteral("size"), scene = QStringLiteral("print-scene");
+  QTest::newRow("names and the plan beside a scene")
+      << QStringLiteral("render")
+      << QJsonObject{{size, QStringLiteral("32x32")}, {scene, true}, {QStringLiteral("explain"), true}}
+      << QStringList();
+  QTest::newRow("the name beside a plane")
+      << QStringLiteral("slice") << QJsonObject{{QStringLiteral("print-plane"), true}} << QStringList();
+  QTest::newRow("all lines of what went wrong")
+      << QStringLiteral("render")
+      << QJsonObject{{size, QStringLiteral("32x32")}, {scene, true}, {QStringLiteral("quality"), 7}}
+      << QStringList{QStringLiteral("--quality"), QStringLiteral("See `volumen render --help`.")};
+}
+
+void TestBatch::onlyWarningsAreToldAsSuch() {
+  QFETCH(QString, command);
+  QFETCH(QJsonObject, options);
+  QFETCH(QStringList, said);
+  const BatchFolder folder;
+  folder.write(QStringLiteral("jobs"), listOf({piece(command, QStringLiteral("a.png"), options)}));
+  QStringList told;
+  for (int n = 0; n < 2; ++n) {  // then from the stamp
+    told.clear();
+    const Outcome a = folder.batch();
+    for (const QJsonValue& one : lineIn(a.out, 1)[QStringLiteral("warnings")].toArray())
+      told << one.toString();
+    QCOMPARE(told.size(), said.size());
+    QCOMPARE(a.status, said.isEmpty() ? 0 : 1);
+  }
+  for (qsizetype n = 0; n < said.size(); ++n)
+    QVERIFY2(told[n].startsWith(said[n]), qPrintable(told.join(QLatin1Char('\n'))));
 }
 
 void TestBatch::shardsDoEachPieceOnce() {
