@@ -13,6 +13,8 @@ class TestBatchNames : public QObject {
   void tablesReplaceNothing_data();
   void tablesReplaceNothing();
   void newFilesInSourceFoldersAreDoneAgain();
+  void messagesHaveTheNamesThatWereAskedFor_data();
+  void messagesHaveTheNamesThatWereAskedFor();
   void whatIsReadStaysByHand_data();
   void whatIsReadStaysByHand();
 };
@@ -139,6 +141,35 @@ void TestBatchNames::newFilesInSourceFoldersAreDoneAgain() {
     const Outcome a = folder.batch();
     QVERIFY2(a.status == 0, a.out + a.err);
   }
+}
+
+void TestBatchNames::messagesHaveTheNamesThatWereAskedFor_data() {
+  QTest::addColumn<QString>("output");
+  QTest::addColumn<QString>("said");
+  QTest::newRow("a surface beside the list") << QStringLiteral("a.stl") << QStringLiteral("a.stl: ");
+  QTest::newRow("a surface in a folder") << QStringLiteral("sub/a.stl") << QStringLiteral("sub/a.stl: ");
+  QTest::newRow("in a folder whose name is not printed as it is")
+      << QStringLiteral("b\u0007l/a.stl") << QStringLiteral("b\\x07l/a.stl: ");
+  QTest::newRow("a folder for a surface") << QStringLiteral("o/") << QStringLiteral("o/: the name of this");
+}
+
+void TestBatchNames::messagesHaveTheNamesThatWereAskedFor() {
+  QFETCH(QString, output);
+  QFETCH(QString, said);
+  const BatchFolder folder;
+  const QString segments = QStringLiteral("s.seg.nrrd");
+  QCOMPARE(
+      runProgram(QStringLiteral("segment %1 --range 200: -o %2").arg(smallHead, folder.at(segments))).status,
+      0);
+  for (const QString& sub : {QStringLiteral("sub"), QStringLiteral("b\u0007l")})
+    QVERIFY(QDir(folder.at({})).mkdir(sub));
+  folder.write(QStringLiteral("jobs"), listOf({piece(QStringLiteral("export"), output,
+                                                     {{QStringLiteral("as"), QStringLiteral("stl")},
+                                                      {QStringLiteral("segments"), segments}})}));
+  const Outcome a = folder.batch();
+  const QString first = lineIn(a.out, 1)[QStringLiteral("warnings")].toArray().first().toString();
+  QVERIFY2(first.startsWith(said), a.out);
+  QVERIFY2(!a.out.contains(".volumen-"), a.out);
 }
 
 void TestBatchNames::whatIsReadStaysByHand_data() {
