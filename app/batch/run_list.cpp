@@ -83,11 +83,12 @@ ToDo toDoOf(const Piece& piece, std::string stamp, FoldersAside& folders) {
 
 class ListRun {
  public:
-  ListRun(std::size_t count, const PieceLimits& limits, const CancelToken& cancel)
+  ListRun(const std::vector<Piece>& list, std::size_t count, const PieceLimits& limits,
+          const CancelToken& cancel)
       : count_(count),
         limits_(limits),
         cancel_(cancel),
-        stamps_(limits.bytes, cancel),
+        stamps_(list, limits.bytes, cancel),
         progress_(terminalProgress()) {}
 
   void run(const std::vector<Piece>& group) {
@@ -200,15 +201,15 @@ class ListRun {
 
 }  // namespace
 
-ListResult runList(const std::vector<std::vector<Piece>>& groups, const PieceLimits& limits,
-                   const CancelToken& cancel) {
+ListResult runList(const std::vector<Piece>& list, const std::vector<std::vector<Piece>>& groups,
+                   const PieceLimits& limits, const CancelToken& cancel) {
   std::size_t count = 0;
   for (const std::vector<Piece>& group : groups) count += group.size();
-  ListRun list(count, limits, cancel);
+  ListRun run(list, count, limits, cancel);
   for (const std::vector<Piece>& group : groups)
-    if (!cancel.cancelled()) list.run(group);
+    if (!cancel.cancelled()) run.run(group);
   endTerminalProgress();
-  return std::move(list).result();
+  return std::move(run).result();
 }
 
 }  // namespace volumen

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/batch/piece.h"
+#include "app/batch/written_files.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -15,11 +16,13 @@ namespace volumen {
 std::string stampFile(const Piece& piece);
 
 /// Makes the stamps of pieces. A stamp holds the version of the program, the command line, and names, sizes
-/// and times of all files that are read, including scenes, shapes and the user's presets. A study of an
-/// archive counts by its name alone. The limit of memory counts too, as it may reduce what is drawn.
+/// and times of all files that are read, including scenes, shapes and the user's presets, but not what the
+/// list writes into folders that are read. A study of an archive counts by its name alone. The limit of
+/// memory counts too, as it may reduce what is drawn.
 class Stamps {
  public:
-  Stamps(std::uint64_t mostBytes, const CancelToken& cancel) : mostBytes_(mostBytes), cancel_(cancel) {}
+  Stamps(const std::vector<Piece>& list, std::uint64_t mostBytes, const CancelToken& cancel)
+      : written_(list), mostBytes_(mostBytes), cancel_(cancel) {}
 
   /// Returns the stamp of a piece, without its outputs. Files of a path are listed once.
   std::string of(const Piece& piece);
@@ -27,6 +30,7 @@ class Stamps {
  private:
   const std::string& filesAt(const std::string& path);
 
+  WrittenFiles written_;
   std::uint64_t mostBytes_;
   CancelToken cancel_;
   std::map<std::string, std::string> known_;  // hashes of files, by path

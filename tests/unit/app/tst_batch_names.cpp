@@ -12,7 +12,8 @@ class TestBatchNames : public QObject {
   void whatIsReadStays();
   void tablesReplaceNothing_data();
   void tablesReplaceNothing();
-  void newFilesInSourceFoldersAreDoneAgain();
+  void whatTheListWritesIsNoSource_data();
+  void whatTheListWritesIsNoSource();
   void messagesHaveTheNamesThatWereAskedFor_data();
   void messagesHaveTheNamesThatWereAskedFor();
   void whatIsReadStaysByHand_data();
@@ -132,15 +133,34 @@ void TestBatchNames::tablesReplaceNothing() {
   QVERIFY(sourceBytes(folder) == before && !QFile::exists(folder.at(QStringLiteral("a.csv"))));
 }
 
-void TestBatchNames::newFilesInSourceFoldersAreDoneAgain() {
+void TestBatchNames::whatTheListWritesIsNoSource_data() {
+  QTest::addColumn<QByteArray>("list");
+  const auto row = [](const char* name, const char* list) { QTest::newRow(name) << QByteArray(list); };
+  row("a picture", R"({"command": "render", "path": "src", "size": "16x16", "output": "src/a.png"})");
+  row("by another spelling",
+      R"({"command": "render", "path": "src", "size": "16x16", "output": "src/../src/a.png"})");
+  row("pictures of a turn",
+      R"({"command": "render", "path": "src", "size": "16x16", "turntable": 2, "output": "src/a.png"})");
+  row("a folder", R"({"command": "convert", "path": "src", "output": "src/o/"})");
+  row("of other lines",
+      "{\"command\": \"info\", \"path\": \"src\", \"output\": \"a\"}\n"
+      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"src/b\"}");
+}
+
+// All else in the folder is one.
+void TestBatchNames::whatTheListWritesIsNoSource() {
+  QFETCH(QByteArray, list);
   const BatchFolder folder;
   fillSources(folder);
-  folder.write(QStringLiteral("jobs"),
-               listOf({smallPicture(QStringLiteral("src/a.png"), QStringLiteral("src"))}));
-  for (int n = 0; n < 2; ++n) {
+  folder.write(QStringLiteral("jobs"), list);
+  const int count = int(list.count('\n')) + 1;
+  for (const char* end : {"done", "skipped"}) {
     const Outcome a = folder.batch();
     QVERIFY2(a.status == 0, a.out + a.err);
+    QCOMPARE(endsIn(a.out), all(count, QString::fromLatin1(end)));
   }
+  folder.write(QStringLiteral("src/new.txt"), "new");
+  QCOMPARE(endsIn(folder.batch().out)[1], QStringLiteral("done"));
 }
 
 void TestBatchNames::messagesHaveTheNamesThatWereAskedFor_data() {
