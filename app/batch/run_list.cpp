@@ -2,16 +2,19 @@
 
 #include <QImageReader>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "app/batch/made_aside.h"
 #include "app/batch/stamps.h"
 #include "app/command.h"
 #include "app/progress.h"
+#include "io/files/aside.h"
 #include "io/files/output_file.h"
 
 namespace volumen {
@@ -79,6 +82,19 @@ ToDo toDoOf(const Piece& piece, std::string stamp, FoldersAside& folders) {
   else
     todo.problem = aside.message();
   return todo;
+}
+
+std::string folderOfOutput(const std::string& output) {
+  return std::filesystem::path(bareName(output)).parent_path().string();
+}
+
+// Removes what killed programs left in the folders that pieces write to.
+void sweepFolders(const std::vector<std::vector<Piece>>& groups) {
+  std::set<std::string> folders;
+  for (const std::vector<Piece>& group : groups)
+    for (const Piece& piece : group)
+      for (const std::string& output : piece.outputs) folders.insert(folderOfOutput(output));
+  for (const std::string& folder : folders) sweepAside(folder);
 }
 
 class ListRun {
@@ -205,6 +221,7 @@ ListResult runList(const std::vector<Piece>& list, const std::vector<std::vector
                    const PieceLimits& limits, const CancelToken& cancel) {
   std::size_t count = 0;
   for (const std::vector<Piece>& group : groups) count += group.size();
+  sweepFolders(groups);
   ListRun run(list, count, limits, cancel);
   for (const std::vector<Piece>& group : groups)
     if (!cancel.cancelled()) run.run(group);

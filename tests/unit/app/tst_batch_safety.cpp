@@ -1,6 +1,9 @@
 // Guards `volumen batch` against everything that ends a piece of work or the program: what is there is whole,
 // and the next run does the rest.
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <QRandomGenerator>
 #include <QScopeGuard>
@@ -46,6 +49,8 @@ class TestBatchSafety : public QObject {
   void whatTakesTooLongIsEnded();
   void twoProgramsMayDoOneList();
   void killedProgramsLeaveNothingHalf();
+  void whatKilledProgramsLeftIsRemoved_data();
+  void whatKilledProgramsLeftIsRemoved();
   void interruptionsLeaveNothingHalf();
   void foldersAreWholeOrNotThere();
   void seriesAreFolders();
@@ -159,6 +164,33 @@ void TestBatchSafety::killedProgramsLeaveNothingHalf() {
   QCOMPARE(QDir(folder.at(QStringLiteral("series"))).entryList(QDir::Files).size(), 35);
   QCOMPARE(endsIn(folder.batch().out), all(9, QStringLiteral("skipped")));
   QCOMPARE(folder.files().size(), 2 * 9 + 1);
+}
+
+void TestBatchSafety::whatKilledProgramsLeftIsRemoved_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("isLocked");
+  QTest::addColumn<bool>("stays");
+  QTest::newRow("a folder of a killed program") << QStringLiteral(".volumen-abcdef") << false << false;
+  QTest::newRow("one whose maker lives") << QStringLiteral(".volumen-abcdef") << true << true;
+  QTest::newRow("one of another name") << QStringLiteral(".volumen-abcde") << false << true;
+}
+
+// Also where nothing is to be done.
+void TestBatchSafety::whatKilledProgramsLeftIsRemoved() {
+  QFETCH(QString, name);
+  QFETCH(bool, isLocked);
+  QFETCH(bool, stays);
+  const BatchFolder folder;
+  QVERIFY(QDir(folder.at({})).mkdir(QStringLiteral("out")));
+  folder.write(QStringLiteral("jobs"), listOf({smallPicture(QStringLiteral("out/a.png"))}));
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
+  const QString left = folder.at(QStringLiteral("out/") + name);
+  QVERIFY(QDir().mkpath(left + QStringLiteral("/1/series")));
+  const int lock = open(qPrintable(left), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const auto close = qScopeGuard([&] { ::close(lock); });
+  if (isLocked) QCOMPARE(flock(lock, LOCK_EX), 0);
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
+  QCOMPARE(QFile::exists(left), stays);
 }
 
 void TestBatchSafety::interruptionsLeaveNothingHalf() {
