@@ -49,6 +49,7 @@ class ListNames {
   // The Error: two pieces write one file, or one writes into the folder of another.
   Status addWritten() {
     for (const Piece& piece : pieces_) {
+      if (cancel_.cancelled()) return interrupted();
       for (const WrittenName& written : writtenNames(piece))
         if (Status s = add(written.name, piece.line); !s) return s;
       if (Status s = add(stampFile(piece), piece.line); !s) return s;
@@ -63,6 +64,7 @@ class ListNames {
   // The Error: a file that is read would be replaced.
   Status checkRead() {
     for (const Piece& piece : pieces_) {
+      if (cancel_.cancelled()) return interrupted();
       for (const WrittenName& written : writtenNames(piece)) {
         const auto isOurs = [&] {
           return isStamped(piece, written.name) || isStamped(piece, written.output);
@@ -87,6 +89,8 @@ class ListNames {
   }
 
  private:
+  static Error interrupted() { return Error{"Interrupted; nothing was done."}; }
+
   static Error wrong(int line, const std::string& why) {
     return Error{"Line " + std::to_string(line) + " of the list: " + why + ": choose another name."};
   }

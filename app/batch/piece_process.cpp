@@ -150,17 +150,21 @@ std::string PieceProcess::end() {
   return "ended with status " + std::to_string(WEXITSTATUS(status));
 }
 
-// Passes an interruption on, and ends what takes too long.
+// Passes an interruption on, and ends what takes too long, also to stop.
 bool PieceProcess::waitForAnswer() {
-  constexpr int patienceMs = 200;
+  constexpr int patienceMs = 100;
+  constexpr double secondsToStop = 0.3;
   pollfd answer{socket_.get(), POLLIN, 0};
   const auto begin = Clock::now();
-  for (bool isTold = false;;) {
+  for (std::optional<Clock::time_point> told;;) {
     const int ready = poll(&answer, 1, patienceMs);
     if (ready > 0 || (ready < 0 && errno != EINTR)) return ready > 0;
-    if (cancel_.cancelled() && !std::exchange(isTold, true)) kill(pid_, SIGTERM);
+    if (cancel_.cancelled() && !told) {
+      kill(pid_, SIGTERM);
+      told = Clock::now();
+    }
     isLate_ = limits_.seconds > 0 && secondsSince(begin) > limits_.seconds;
-    if (isLate_) kill(pid_, SIGKILL);
+    if (isLate_ || (told && secondsSince(*told) > secondsToStop)) kill(pid_, SIGKILL);
   }
 }
 

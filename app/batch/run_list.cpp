@@ -97,6 +97,13 @@ void sweepFolders(const std::vector<std::vector<Piece>>& groups) {
   for (const std::string& folder : folders) sweepAside(folder);
 }
 
+// Removes what the process of a piece left that was ended by an interruption. sweepAside() looks once at each
+// spelling of a folder.
+void sweepAfterwards(const Piece& piece) {
+  for (const std::string& output : piece.outputs)
+    sweepAside((std::filesystem::path(folderOfOutput(output)) / ".").string());
+}
+
 class ListRun {
  public:
   ListRun(const std::vector<Piece>& list, std::size_t count, const PieceLimits& limits,
@@ -112,6 +119,7 @@ class ListRun {
     std::vector<ToDo> all;
     std::vector<Piece> made;
     for (const Piece& piece : group) {
+      if (cancel_.cancelled()) return;
       std::string stamp = stamps_.of(piece);
       if (isDone(piece, stamp)) {
         skip(piece);
@@ -152,6 +160,7 @@ class ListRun {
     PieceResult result = process->run(index);
     if (todo.aside) result.error = todo.aside->named(std::move(result.error));
     if (!result.exitStatus) process.reset();
+    if (!result.exitStatus && cancel_.cancelled()) sweepAfterwards(todo.asked);
     if (!finish(todo, result) && taken) taken->giveBack();
     if (todo.aside) todo.aside->clear();
   }

@@ -74,7 +74,7 @@ int run(const BatchOptions& options, const CancelToken& cancel) {
   if (!options.typed.empty()) return makeList(options, commands);
   const auto text = textOfList(options.list);
   if (!text) return fail(text.message());
-  const auto pieces = readPieces(*text, commands);
+  const auto pieces = readPieces(*text, commands, cancel);
   if (!pieces) return failUsage(pieces.message());
   if (Status s = checkNames(*pieces, options.list, options.gathered, cancel); !s)
     return failUsage(s.message());

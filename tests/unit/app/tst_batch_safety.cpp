@@ -5,6 +5,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <QElapsedTimer>
 #include <QRandomGenerator>
 #include <QScopeGuard>
 
@@ -52,6 +53,7 @@ class TestBatchSafety : public QObject {
   void whatKilledProgramsLeftIsRemoved_data();
   void whatKilledProgramsLeftIsRemoved();
   void interruptionsLeaveNothingHalf();
+  void interruptionsEndWhatDoesNotEndItself();
   void foldersAreWholeOrNotThere();
   void seriesAreFolders();
   void otherFoldersStay();
@@ -203,6 +205,29 @@ void TestBatchSafety::interruptionsLeaveNothingHalf() {
   QCOMPARE(process.exitStatus(), QProcess::CrashExit);  // ended by the signal
   const QMap<int, QString> ends{{1, QStringLiteral("done")}, {2, QStringLiteral("interrupted")}};
   QCOMPARE(endsIn(process.readAllStandardOutput()), ends);
+  QCOMPARE(folder.files(), (QStringList{QStringLiteral("a.png"), QStringLiteral("a.png.volumen-stamp"),
+                                        QStringLiteral("jobs")}));
+}
+
+// A stopped process stands for one that is far from its next look at the interruption.
+void TestBatchSafety::interruptionsEndWhatDoesNotEndItself() {
+  const BatchFolder folder;
+  QProcess process;
+  startWithSlowPiece(folder, process);
+  QTest::qWait(200);
+  const QList<pid_t> children = childrenOf(process.processId());
+  QCOMPARE(children.size(), 1);
+  QCOMPARE(kill(children[0], SIGSTOP), 0);
+  folder.write(QStringLiteral(".volumen-abcdef"), "half");
+  QElapsedTimer timer;
+  timer.start();
+  process.terminate();
+  QVERIFY(process.waitForFinished(20000));
+  QVERIFY2(timer.elapsed() < 3000, qPrintable(QString::number(timer.elapsed())));
+  const QByteArray out = process.readAllStandardOutput();
+  QCOMPARE(lineIn(out, 2)[QStringLiteral("end")].toString(), QStringLiteral("interrupted"));
+  QVERIFY2(tookAtLeast(lineIn(out, 2), 0.1), out);
+  QVERIFY(kill(children[0], 0) != 0);
   QCOMPARE(folder.files(), (QStringList{QStringLiteral("a.png"), QStringLiteral("a.png.volumen-stamp"),
                                         QStringLiteral("jobs")}));
 }
