@@ -24,7 +24,6 @@ class TestBatch : public QObject {
   void manyShardsTakeNoTime();
   void pathsMayBeginWithADash();
   void tablesAreGathered();
-  void listsAreMadeOfTheIndex();
 };
 
 void TestBatch::badListsAreRefusedAtOnce_data() {
@@ -323,33 +322,6 @@ void TestBatch::tablesAreGathered() {
     QVERIFY2(rows[n + 1].endsWith(table.split('\n')[1].trimmed()), rows[n + 1]);
     QVERIFY(rows[n + 1].startsWith(QByteArray::number(n + 1) + ",phantom:ct-head:"));
   }
-}
-
-void TestBatch::listsAreMadeOfTheIndex() {
-  const BatchFolder folder;
-  const QString index = folder.at(QStringLiteral("index")), scans = folder.at(QStringLiteral("scans/"));
-  QCOMPARE(runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, scans)).status, 0);
-  QCOMPARE(runProgram(QStringLiteral("import %1 --index %2").arg(scans, index)).status, 0);
-  const auto list = [&](const QString& words, const QString& command) {
-    return runProgram({QStringLiteral("batch"), QStringLiteral("--from-index"), words, QStringLiteral("--do"),
-                       command, QStringLiteral("--index"), index});
-  };
-  const Outcome a = list(QStringLiteral("ct"),
-                         QStringLiteral("segment --recipe bone --csv \"{out}.csv\" -o {out}.stl --one-file"));
-  QVERIFY2(a.status == 0, a.err);
-  const QJsonObject one = QJsonDocument::fromJson(a.out).object();
-  QVERIFY2(one[QStringLiteral("path")].toString().startsWith(QLatin1String("index:")), a.out);
-  QCOMPARE(one[QStringLiteral("command")].toString(), QStringLiteral("segment"));
-  QCOMPARE(one[QStringLiteral("one-file")].toBool(), true);
-  QVERIFY(one[QStringLiteral("csv")].toString().size() > 20);
-  QCOMPARE(one[QStringLiteral("output")].toString().chopped(4),
-           one[QStringLiteral("csv")].toString().chopped(4));
-  for (const char* wrong : {"segment --colour 1", "paint", "segment --csv", "segment --csv a b"}) {
-    const Outcome b = list(QStringLiteral("ct"), QString::fromLatin1(wrong));
-    QVERIFY2(b.status == 2 && b.out.isEmpty() && b.err.contains("--do"), b.err);
-  }
-  QVERIFY(list(QStringLiteral("nobody"), QStringLiteral("render -o {out}.png"))
-              .err.contains("No study of the index"));
 }
 
 VOLUMEN_TEST(TestBatch);
