@@ -1,6 +1,7 @@
 #include "app/batch/piece_process.h"
 
 #include <fcntl.h>
+#include <malloc.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
@@ -41,14 +42,19 @@ struct PieceAnswer {
 // Resets the kernel's count of peak memory (VmHWM).
 void forgetPeak() { std::ofstream("/proc/self/clear_refs") << 5; }
 
-std::uint64_t peakOfMemory() {
+// Returns a number of bytes that the kernel counts of this process; 0 where there is no /proc.
+std::uint64_t bytesOfProcess(std::string_view name) {
   std::ifstream status("/proc/self/status");
   std::uint64_t kibibytes = 0;
   for (std::string word; status >> word;)
-    if (word == "VmHWM:") status >> kibibytes;
-  rusage use{};  // of the whole process, where there is no /proc
-  if (kibibytes == 0 && getrusage(RUSAGE_SELF, &use) == 0) kibibytes = std::uint64_t(use.ru_maxrss);
+    if (word == name) status >> kibibytes;
   return kibibytes * 1024;
+}
+
+std::uint64_t peakOfMemory() {
+  if (const std::uint64_t bytes = bytesOfProcess("VmHWM:"); bytes > 0) return bytes;
+  rusage use{};  // of the whole process
+  return getrusage(RUSAGE_SELF, &use) == 0 ? std::uint64_t(use.ru_maxrss) * 1024 : 0;
 }
 
 void startAgain(int fd) {
@@ -67,10 +73,13 @@ PieceAnswer answerOf(const Piece& piece, const CancelToken& cancel) {
   return answer;
 }
 
+// What this process has of its maker, such as the list, does not count: the same piece would have less of it
+// in a longer list.
 void limitMemory(std::uint64_t mostBytes) {
   rlimit limit{};
   if (mostBytes == 0 || getrlimit(RLIMIT_DATA, &limit) != 0) return;
-  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, mostBytes);
+  malloc_trim(0);
+  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, bytesOfProcess("VmData:") + mostBytes);
   setrlimit(RLIMIT_DATA, &limit);
 }
 
@@ -78,7 +87,7 @@ void limitMemory(std::uint64_t mostBytes) {
                            const CancelToken& cancel) {
   limitMemory(mostBytes);
   worker::start();
-  keepOpened();
+  if (mostBytes == 0) keepOpened();
   forgetPeak();
   for (std::size_t index = 0; recv(socket, &index, sizeof index, MSG_WAITALL) == sizeof index;) {
     const PieceAnswer answer = answerOf(pieces[index], cancel);

@@ -25,7 +25,7 @@ struct PieceResult {
 
 /// What a piece of work may take; 0: all there is.
 struct PieceLimits {
-  std::uint64_t bytes = 0;  ///< of memory (ulimit -d)
+  std::uint64_t bytes = 0;  ///< of memory (ulimit -d), besides what its process has at the start
   double seconds = 0;       ///< then its process is killed
 };
 

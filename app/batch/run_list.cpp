@@ -153,13 +153,14 @@ class ListRun {
     tell(piece, "skipped", {{"exit", end.exitStatus}, {"warnings", end.warnings}});
   }
 
-  // While a command replaces its output itself, there is no stamp, which would be of another one.
+  // While a command replaces its output itself, there is no stamp, which would be of another one. Where
+  // memory is limited, each piece has a process of its own: what one keeps would leave less to the next.
   void doOne(const ToDo& todo, std::size_t index, std::unique_ptr<PieceProcess>& process) {
     std::optional<StampTaken> taken;
     if (!todo.aside) taken.emplace(todo.asked);
     PieceResult result = process->run(index);
     if (todo.aside) result.error = todo.aside->named(std::move(result.error));
-    if (!result.exitStatus) process.reset();
+    if (!result.exitStatus || limits_.bytes > 0) process.reset();
     if (!result.exitStatus && cancel_.cancelled()) sweepAfterwards(todo.asked);
     if (!finish(todo, result) && taken) taken->giveBack();
     if (todo.aside) todo.aside->clear();

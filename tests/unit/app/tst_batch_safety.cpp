@@ -47,6 +47,7 @@ class TestBatchSafety : public QObject {
   void aPoisonedPieceCostsItsLine();
   void aKilledProcessCostsItsLine();
   void littleMemoryIsSaid();
+  void piecesBeforeTakeNoMemory();
   void whatTakesTooLongIsEnded();
   void twoProgramsMayDoOneList();
   void killedProgramsLeaveNothingHalf();
@@ -110,6 +111,23 @@ void TestBatchSafety::littleMemoryIsSaid() {
   QMap<int, QString> ends{{1, QStringLiteral("done")}, {2, QStringLiteral("failed")}};
   QCOMPARE(endsIn(a.out), ends);
   QVERIFY2(lineIn(a.out, 2)[QStringLiteral("exit")].toInt() == 1 && a.out.contains("memory"), a.out);
+}
+
+// The second and the third piece would fail if the process kept what the first one read.
+void TestBatchSafety::piecesBeforeTakeNoMemory() {
+  const BatchFolder folder;
+  const QString volume = QStringLiteral("phantom:ct-head:160");
+  folder.write(
+      QStringLiteral("jobs"),
+      listOf({smallPicture(QStringLiteral("a.png"), volume),
+              piece(QStringLiteral("segment"), QStringLiteral("b.seg.nrrd"),
+                    {{QStringLiteral("path"), volume}, {QStringLiteral("recipe"), QStringLiteral("bone")}}),
+              smallPicture(QStringLiteral("c.png"), volume)}));
+  const Outcome a = folder.batch({QStringLiteral("--max-memory"), QStringLiteral("80M")});
+  QVERIFY2(a.status == 0, a.out);
+  QCOMPARE(endsIn(a.out), all(3, QStringLiteral("done")));
+  QCOMPARE(lineIn(a.out, 3)[QStringLiteral("warnings")], lineIn(a.out, 1)[QStringLiteral("warnings")]);
+  QVERIFY(folder.contents(QStringLiteral("a.png")) == folder.contents(QStringLiteral("c.png")));
 }
 
 void TestBatchSafety::whatTakesTooLongIsEnded() {
