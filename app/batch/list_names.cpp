@@ -53,11 +53,13 @@ class ListNames {
       for (const WrittenName& written : writtenNames(piece))
         if (Status s = add(written.name, piece.line); !s) return s;
       if (Status s = add(stampFile(piece), piece.line); !s) return s;
+      surfaces_.add(piece, placeOf_);
     }
     for (const Piece& piece : pieces_)
-      for (const WrittenName& written : writtenNames(piece))
-        if (const std::string why = within(written.name); !why.empty())
-          return wrong(piece.line, "it writes " + written.name + why);
+      for (const WrittenName& written : writtenNames(piece)) {
+        const std::string why = within(written.name) + asSurface(written.name, piece.line);
+        if (!why.empty()) return wrong(piece.line, "it writes " + written.name + why);
+      }
     return {};
   }
 
@@ -72,6 +74,9 @@ class ListNames {
         if (const std::string why = replaced(written.name, isOurs); !why.empty())
           return wrong(piece.line, "it writes " + written.name + why);
       }
+      for (const std::string& file : surfacesThere(piece))
+        if (const std::string why = replaced(file, [&] { return isStamped(piece, file); }); !why.empty())
+          return wrong(piece.line, "it may write " + file + why);
       const std::string stamp = stampFile(piece);
       if (const std::string why = replaced(stamp, [] { return true; }); !why.empty())
         return wrong(piece.line, "its stamp is " + stamp + why);
@@ -109,6 +114,25 @@ class ListNames {
                                    : ", in the folder that line " + std::to_string(found->second) + " writes";
   }
 
+  // Returns which other line may write a name as a surface of a segment; empty: none.
+  std::string asSurface(const std::string& name, int line) {
+    const int other = surfaces_.lineOf(placeOf_(name), line);
+    return other == 0 ? "" : ", as line " + std::to_string(other) + " may do, a file for each segment";
+  }
+
+  // Returns the files in a folder that is read which surfaces of a piece may replace.
+  std::vector<std::string> surfacesThere(const Piece& piece) {
+    std::vector<std::string> files;
+    const fs::path folder = fs::path(piece.outputs[0]).parent_path();
+    SurfacePlaces own;
+    own.add(piece, placeOf_);
+    if (!surfaceNames(piece) || around(read_, placeOf_(piece.outputs[0])) == read_.end()) return files;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored))
+      if (own.lineOf(placeOf_(entry.path().string())) > 0) files.push_back(entry.path().string());
+    return files;
+  }
+
   // Returns which file a name would replace; empty: none.
   template <class IsOurs>
   std::string replaced(const std::string& name, const IsOurs& isOurs) {
@@ -140,6 +164,7 @@ class ListNames {
   const std::vector<Piece>& pieces_;
   CancelToken cancel_;
   Places placeOf_;
+  SurfacePlaces surfaces_;
   std::string list_;
   std::map<std::string, int> read_, aroundRead_, written_, studies_, ofStudies_;  // lines
 };

@@ -12,6 +12,8 @@ class TestBatchNames : public QObject {
   void whatIsReadStays();
   void tablesReplaceNothing_data();
   void tablesReplaceNothing();
+  void surfacesThatCannotMeetMayHaveLikeNames_data();
+  void surfacesThatCannotMeetMayHaveLikeNames();
   void whatTheListWritesIsNoSource_data();
   void whatTheListWritesIsNoSource();
   void messagesHaveTheNamesThatWereAskedFor_data();
@@ -30,6 +32,7 @@ void fillSources(const BatchFolder& folder) {
     QCOMPARE(runProgram(QStringLiteral("convert phantom:ct-head:16 -o %1").arg(folder.at(name))).status, 0);
   folder.write(QStringLiteral("roi.json"), R"([{"kind": "length", "points": [[0, 0, 0], [0, 30, 0]]}])");
   folder.write(QStringLiteral("src/t.csv"), "a,b\n1,2\n");
+  folder.write(QStringLiteral("src/s-mine.stl"), "mine");
   QVERIFY(QFile::link(folder.at(firstSlice), folder.at(QStringLiteral("link.nrrd"))));
 }
 
@@ -37,7 +40,7 @@ void fillSources(const BatchFolder& folder) {
 QByteArray sourceBytes(const BatchFolder& folder) {
   return folder.contents(firstSlice) + folder.contents(QStringLiteral("v.nrrd")) +
          folder.contents(QStringLiteral("roi.json")) + folder.contents(QStringLiteral("src/t.csv")) +
-         folder.contents(QStringLiteral("jobs"));
+         folder.contents(QStringLiteral("src/s-mine.stl")) + folder.contents(QStringLiteral("jobs"));
 }
 
 }  // namespace
@@ -84,6 +87,19 @@ void TestBatchNames::whatIsReadStays_data() {
       "{\"command\": \"render\", \"path\": \"v.nrrd\", \"turntable\": 3, \"output\": \"t.png\"}\n"
       "{\"command\": \"render\", \"path\": \"v.nrrd\", \"output\": \"t-002.png\"}",
       "Line 2 of the list: it writes t-002.png, as line 1 does");
+  row("a surface of a segment of another line",
+      "{\"command\": \"segment\", \"path\": \"v.nrrd\", \"recipe\": \"lungs-and-airways\", \"output\": "
+      "\"s.stl\"}\n"
+      "{\"command\": \"segment\", \"path\": \"v.nrrd\", \"recipe\": \"bone\", \"output\": \"s-Lungs.stl\"}",
+      "Line 2 of the list: it writes s-Lungs.stl, as line 1 may do, a file for each segment");
+  row("a surface of a file of segments",
+      "{\"command\": \"segment\", \"path\": \"v.nrrd\", \"range\": \"1:\", \"output\": \"s-a-1.stl\"}\n"
+      "{\"command\": \"export\", \"path\": \"v.nrrd\", \"as\": \"stl\", \"segments\": \"roi.json\", "
+      "\"output\": \"./s-a.stl\"}",
+      "Line 1 of the list: it writes s-a-1.stl, as line 2 may do, a file for each segment");
+  row("a surface in a source folder",
+      R"({"command": "segment", "path": "src", "from": "v.nrrd", "output": "src/s.stl"})",
+      "Line 1 of the list: it may write src/s-mine.stl, which line 1 reads");
   row("a stamp of another line",
       "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"b\"}\n"
       "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"b.volumen-stamp\"}",
@@ -131,6 +147,35 @@ void TestBatchNames::tablesReplaceNothing() {
   QCOMPARE(a.status, 2);
   QVERIFY2(a.err.contains("--gather " + table.toLatin1()) && a.err.contains(said) && a.out.isEmpty(), a.err);
   QVERIFY(sourceBytes(folder) == before && !QFile::exists(folder.at(QStringLiteral("a.csv"))));
+}
+
+void TestBatchNames::surfacesThatCannotMeetMayHaveLikeNames_data() {
+  QTest::addColumn<QJsonObject>("options");
+  QTest::addColumn<QString>("other");
+  const QString range = QStringLiteral("range"), low = QStringLiteral("200:");
+  QTest::newRow("a range is one segment") << QJsonObject{{range, low}} << QStringLiteral("s-2.stl");
+  QTest::newRow("so is a recipe of one")
+      << QJsonObject{{QStringLiteral("recipe"), QStringLiteral("bone")}} << QStringLiteral("s-2.stl");
+  QTest::newRow("one file for all") << QJsonObject{{QStringLiteral("from"), QStringLiteral("v.nrrd")},
+                                                   {QStringLiteral("one-file"), true}}
+                                    << QStringLiteral("s-2.stl");
+  QTest::newRow("another kind of file")
+      << QJsonObject{{QStringLiteral("from"), QStringLiteral("v.nrrd")}} << QStringLiteral("s-2.ply");
+}
+
+// Pieces may fail, but the list is not refused.
+void TestBatchNames::surfacesThatCannotMeetMayHaveLikeNames() {
+  QFETCH(QJsonObject, options);
+  QFETCH(QString, other);
+  const BatchFolder folder;
+  fillSources(folder);
+  folder.write(
+      QStringLiteral("jobs"),
+      listOf({piece(QStringLiteral("segment"), QStringLiteral("s.stl"), options),
+              piece(QStringLiteral("segment"), other, {{QStringLiteral("range"), QStringLiteral("200:")}})}));
+  const Outcome a = folder.batch();
+  QVERIFY2(a.status != 2, a.err);
+  QCOMPARE(endsIn(a.out)[2], QStringLiteral("done"));
 }
 
 void TestBatchNames::whatTheListWritesIsNoSource_data() {
