@@ -36,7 +36,7 @@ pack() {
 
 check_with_lintian() {
   command -v lintian >/dev/null || { skip lintianFindsNoErrors "lintian is not installed"; return; }
-  lintian --allow-root --fail-on error "$package" || fail lintianFindsNoErrors "see above"
+  lintian --allow-root --fail-on error "$package" "$folder"/packages/volumen-dbgsym_*.ddeb || fail lintianFindsNoErrors "see above"
   pass lintianFindsNoErrors
 }
 

@@ -1,10 +1,10 @@
 #include "app/batch/list_from_index.h"
 
-#include <QProcess>
 #include <nlohmann/json.hpp>
 
 #include "app/batch/list_names.h"
 #include "app/batch/piece.h"
+#include "app/batch/shell_words.h"
 #include "app/index_option.h"
 #include "io/files/name_for_uid.h"
 
@@ -22,13 +22,14 @@ std::string longName(const CLI::App& command, const std::string& typed) {
 }
 
 // Returns a command line as a piece of work without a path. The Error: it has an unknown word.
-Result<TypedJson> jobOf(const QStringList& words, const CommandLine& commands) {
-  const std::string name = words.isEmpty() ? "" : words[0].toStdString();
+Result<TypedJson> jobOf(const std::vector<std::string>& words, const CommandLine& commands) {
+  const std::string name = words.empty() ? "" : words[0];
   const CLI::App* command = commands.command(name);
   if (!command) return Error{"--do begins with a command of volumen, such as \"render\"."};
   TypedJson job = {{"command", name}};
-  for (qsizetype n = 1; n < words.size(); ++n) {
-    const std::string word = words[n].toStdString(), typed = word.substr(0, word.find('='));
+  for (std::size_t n = 1; n < words.size(); ++n) {
+    const std::string& word = words[n];
+    const std::string typed = word.substr(0, word.find('='));
     const std::string option = longName(*command, typed);
     if (option.empty())
       return Error{"--do: volumen " + name + " has no option " + typed + "; the path is that of each study."};
@@ -39,7 +40,7 @@ Result<TypedJson> jobOf(const QStringList& words, const CommandLine& commands) {
     else if (typed != word)
       job[option] = word.substr(typed.size() + 1);
     else if (++n < words.size())
-      job[option] = words[n].toStdString();
+      job[option] = words[n];
     else
       return Error{"--do: the value of " + typed + " is missing."};
   }
@@ -59,7 +60,9 @@ Result<std::string> listFromIndex(const std::string& words, const std::string& t
                                   const std::string& indexFolder, const CommandLine& commands,
                                   bool& isMistyped) {
   isMistyped = true;
-  const auto job = jobOf(QProcess::splitCommand(QString::fromStdString(typed)), commands);
+  const auto split = shellWords(typed);
+  if (!split) return Error{"--do: " + split.message() + "."};
+  const auto job = jobOf(*split, commands);
   if (!job) return job.error();
   isMistyped = false;
   const Result<Index> index = openExistingIndex(indexFolder);

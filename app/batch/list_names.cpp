@@ -1,17 +1,13 @@
 #include "app/batch/list_names.h"
 
 #include <algorithm>
-#include <charconv>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <utility>
 
 #include "app/batch/gather.h"
 #include "app/batch/stamps.h"
-#include "app/output_names.h"
-#include "io/export/label_table.h"
-#include "io/files/header_text.h"
+#include "app/batch/written_files.h"
 #include "io/paths/open_path.h"
 
 namespace volumen {
@@ -19,40 +15,6 @@ namespace volumen {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A file that a piece writes, and the output that it belongs to.
-struct WrittenName {
-  std::string name, output;
-};
-
-int turntableOf(const Piece& piece) {
-  constexpr std::string_view option = "--turntable=";
-  constexpr int most = 9999;
-  int pictures = 0;
-  for (const std::string& word : piece.words)
-    if (word.starts_with(option))
-      std::from_chars(word.data() + option.size(), word.data() + word.size(), pictures);
-  return piece.command == "render" ? std::clamp(pictures, 0, most) : 0;
-}
-
-bool isLabelImage(const Piece& piece, const std::string& output) {
-  const std::string name = lowerCase(output);
-  return piece.command == "segment" && (name.ends_with(".nii.gz") || name.ends_with(".mha"));
-}
-
-std::vector<WrittenName> namesOf(const Piece& piece) {
-  std::vector<WrittenName> names;
-  const int pictures = turntableOf(piece);
-  for (std::size_t n = 0; n < piece.outputs.size(); ++n) {
-    const std::string output = bareName(piece.outputs[n]);
-    const bool isTurn = n == 0 && pictures > 0 && output.find('.') != output.npos;
-    for (int picture = 0; isTurn && picture < pictures; ++picture)
-      names.push_back({numberedName(output, picture), output});
-    if (!isTurn) names.push_back({output, output});
-    if (isLabelImage(piece, output)) names.push_back({labelTableOf(output), output});
-  }
-  return names;
-}
 
 // Returns the first of a place and the folders around it that a map has.
 template <class Map>
@@ -64,24 +26,6 @@ auto around(const Map& map, fs::path place) {
   }
   return found;
 }
-
-// Places of files as placeOfFile() has them, for many in few folders.
-class Places {
- public:
-  std::string operator()(const std::string& path) {
-    const fs::path bare(bareName(path)), name = bare.filename();
-    std::error_code ignored;
-    if (name.empty() || name == "." || name == ".." || fs::is_symlink(bare, ignored))
-      return placeOfFile(path);
-    const std::string parent = bare.has_parent_path() ? bare.parent_path().string() : ".";
-    const auto [folder, isNew] = folders_.emplace(parent, "");
-    if (isNew) folder->second = placeOfFile(parent);
-    return (fs::path(folder->second) / name).string();
-  }
-
- private:
-  std::map<std::string, std::string> folders_;
-};
 
 // Finds what a list reads and writes by its place, however it is spelled.
 class ListNames {
@@ -105,27 +49,34 @@ class ListNames {
   // The Error: two pieces write one file, or one writes into the folder of another.
   Status addWritten() {
     for (const Piece& piece : pieces_) {
-      for (const WrittenName& written : namesOf(piece))
+      if (cancel_.cancelled()) return interrupted();
+      for (const WrittenName& written : writtenNames(piece))
         if (Status s = add(written.name, piece.line); !s) return s;
       if (Status s = add(stampFile(piece), piece.line); !s) return s;
+      surfaces_.add(piece, placeOf_);
     }
     for (const Piece& piece : pieces_)
-      for (const WrittenName& written : namesOf(piece))
-        if (const std::string why = within(written.name); !why.empty())
-          return wrong(piece.line, "it writes " + written.name + why);
+      for (const WrittenName& written : writtenNames(piece)) {
+        const std::string why = within(written.name) + asSurface(written.name, piece.line);
+        if (!why.empty()) return wrong(piece.line, "it writes " + written.name + why);
+      }
     return {};
   }
 
   // The Error: a file that is read would be replaced.
   Status checkRead() {
     for (const Piece& piece : pieces_) {
-      for (const WrittenName& written : namesOf(piece)) {
+      if (cancel_.cancelled()) return interrupted();
+      for (const WrittenName& written : writtenNames(piece)) {
         const auto isOurs = [&] {
           return isStamped(piece, written.name) || isStamped(piece, written.output);
         };
         if (const std::string why = replaced(written.name, isOurs); !why.empty())
           return wrong(piece.line, "it writes " + written.name + why);
       }
+      for (const std::string& file : surfacesThere(piece))
+        if (const std::string why = replaced(file, [&] { return isStamped(piece, file); }); !why.empty())
+          return wrong(piece.line, "it may write " + file + why);
       const std::string stamp = stampFile(piece);
       if (const std::string why = replaced(stamp, [] { return true; }); !why.empty())
         return wrong(piece.line, "its stamp is " + stamp + why);
@@ -143,6 +94,8 @@ class ListNames {
   }
 
  private:
+  static Error interrupted() { return Error{"Interrupted; nothing was done."}; }
+
   static Error wrong(int line, const std::string& why) {
     return Error{"Line " + std::to_string(line) + " of the list: " + why + ": choose another name."};
   }
@@ -159,6 +112,25 @@ class ListNames {
     const auto found = around(written_, fs::path(placeOf_(name)).parent_path());
     return found == written_.end() ? ""
                                    : ", in the folder that line " + std::to_string(found->second) + " writes";
+  }
+
+  // Returns which other line may write a name as a surface of a segment; empty: none.
+  std::string asSurface(const std::string& name, int line) {
+    const int other = surfaces_.lineOf(placeOf_(name), line);
+    return other == 0 ? "" : ", as line " + std::to_string(other) + " may do, a file for each segment";
+  }
+
+  // Returns the files in a folder that is read which surfaces of a piece may replace.
+  std::vector<std::string> surfacesThere(const Piece& piece) {
+    std::vector<std::string> files;
+    const fs::path folder = fs::path(piece.outputs[0]).parent_path();
+    SurfacePlaces own;
+    own.add(piece, placeOf_);
+    if (!surfaceNames(piece) || around(read_, placeOf_(piece.outputs[0])) == read_.end()) return files;
+    std::error_code ignored;
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored))
+      if (own.lineOf(placeOf_(entry.path().string())) > 0) files.push_back(entry.path().string());
+    return files;
   }
 
   // Returns which file a name would replace; empty: none.
@@ -192,6 +164,7 @@ class ListNames {
   const std::vector<Piece>& pieces_;
   CancelToken cancel_;
   Places placeOf_;
+  SurfacePlaces surfaces_;
   std::string list_;
   std::map<std::string, int> read_, aroundRead_, written_, studies_, ofStudies_;  // lines
 };

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <system_error>
 
+#include "app/printable.h"
 #include "io/regular_file.h"
 
 namespace volumen {
@@ -48,12 +49,11 @@ Piece MadeAside::piece() const {
   return made;
 }
 
+// Names in messages are made printable.
 std::string MadeAside::named(std::string text) const {
   const std::string aside = place_ + '/',
                     parent = (fs::path(bareName(asked_.outputs[0])).parent_path() / "").string();
-  for (std::size_t at = text.find(aside); at != text.npos; at = text.find(aside, at + parent.size()))
-    text.replace(at, aside.size(), parent);
-  return text;
+  return replaced(replaced(std::move(text), aside, parent), printable(aside), printable(parent));
 }
 
 // Returns the files and folders that were made, by the names that they get.

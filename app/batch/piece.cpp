@@ -156,12 +156,14 @@ Result<Piece> pieceOfLine(std::string_view text, const CommandLine& commands) {
 
 std::string bareName(const std::string& output) { return output.substr(0, output.find_last_not_of('/') + 1); }
 
-Result<std::vector<Piece>> readPieces(std::string_view list, const CommandLine& commands) {
+Result<std::vector<Piece>> readPieces(std::string_view list, const CommandLine& commands,
+                                      const CancelToken& cancel) {
   std::vector<Piece> pieces;
   const auto wrong = [](int line, const std::string& why) {
     return Error{"Line " + std::to_string(line) + " of the list: " + why + "."};
   };
   for (int line = 1; !list.empty(); ++line) {
+    if (cancel.cancelled()) return Error{"Interrupted; nothing was done."};
     const std::string_view text = list.substr(0, list.find('\n'));
     list.remove_prefix(std::min(list.size(), text.size() + 1));
     const std::size_t first = text.find_first_not_of(" \t\r");

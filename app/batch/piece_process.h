@@ -17,14 +17,15 @@ namespace volumen {
 struct PieceResult {
   std::optional<int> exitStatus;  ///< empty: its process ended
   std::string end;                ///< then why: "was ended by signal 9"
-  double seconds = 0;
-  std::uint64_t peakBytes = 0;  ///< most memory of the process, without workers that read files
-  std::string out, error;       ///< what it wrote to stdout and stderr
+  std::optional<double> seconds;  ///< empty: not known
+  /// Most memory of the process, without workers that read files; empty: not known.
+  std::optional<std::uint64_t> peakBytes;
+  std::string out, error;  ///< what it wrote to stdout and stderr
 };
 
 /// What a piece of work may take; 0: all there is.
 struct PieceLimits {
-  std::uint64_t bytes = 0;  ///< of memory (ulimit -d)
+  std::uint64_t bytes = 0;  ///< of memory (ulimit -d), besides what its process has at the start
   double seconds = 0;       ///< then its process is killed
 };
 
@@ -45,6 +46,8 @@ class PieceProcess {
   bool waitForAnswer();
   std::string end();
 
+  std::optional<std::uint64_t> peakBytes_;  // of the last piece, once the process has ended
+  bool restartsWorkers_;
   PieceLimits limits_;
   CancelToken cancel_;
   worker::Descriptor socket_, out_, error_;

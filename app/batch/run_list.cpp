@@ -2,16 +2,19 @@
 
 #include <QImageReader>
 #include <cmath>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "app/batch/made_aside.h"
 #include "app/batch/stamps.h"
 #include "app/command.h"
 #include "app/progress.h"
+#include "io/files/aside.h"
 #include "io/files/output_file.h"
 
 namespace volumen {
@@ -20,15 +23,25 @@ namespace {
 
 using LineJson = nlohmann::ordered_json;
 
-// Returns the lines that a command wrote to stderr, without its name.
-std::vector<std::string> linesOf(const std::string& text) {
-  std::vector<std::string> all;
+// Returns the sentences that a command wrote to stderr, without its name. Other lines, such as those of
+// --explain, are none. Behind the last sentence of a command that failed, they belong to it, or they are what
+// the system said of its end.
+std::vector<std::string> sentencesIn(const std::string& text, bool isDoneWell) {
+  constexpr std::string_view name = "volumen: ";
+  std::vector<std::string> all, others;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);) {
-    if (line.starts_with("volumen: ")) line.erase(0, 9);
-    if (!line.empty()) all.push_back(line);
+    if (line.starts_with(name))
+      all.push_back(line.substr(name.size())), others.clear();
+    else if (!line.empty())
+      others.push_back(line);
   }
+  if (!isDoneWell) all.insert(all.end(), others.begin(), others.end());
   return all;
+}
+
+bool isDoneWell(const PieceResult& result) {
+  return result.exitStatus == exitDone || result.exitStatus == exitLosses;
 }
 
 // Returns what a picture says of its error, in 1/255.
@@ -41,6 +54,14 @@ LineJson errorsIn(const std::string& picture) {
         !text.isEmpty())
       errors[kind] = text.toStdString();
   return errors;
+}
+
+// Returns what was measured of a piece.
+LineJson measuresOf(const PieceResult& result) {
+  LineJson facts = LineJson::object();
+  if (result.seconds) facts["seconds"] = std::round(*result.seconds * 1000) / 1000;
+  if (result.peakBytes) facts["peakMebibytes"] = *result.peakBytes >> 20;
+  return facts;
 }
 
 struct ToDo {
@@ -63,13 +84,34 @@ ToDo toDoOf(const Piece& piece, std::string stamp, FoldersAside& folders) {
   return todo;
 }
 
+std::string folderOfOutput(const std::string& output) {
+  return std::filesystem::path(bareName(output)).parent_path().string();
+}
+
+// Removes what killed programs left in the folders that pieces write to.
+void sweepFolders(const std::vector<std::vector<Piece>>& groups) {
+  std::set<std::string> folders;
+  for (const std::vector<Piece>& group : groups)
+    for (const Piece& piece : group)
+      for (const std::string& output : piece.outputs) folders.insert(folderOfOutput(output));
+  for (const std::string& folder : folders) sweepAside(folder);
+}
+
+// Removes what the process of a piece left that was ended by an interruption. sweepAside() looks once at each
+// spelling of a folder.
+void sweepAfterwards(const Piece& piece) {
+  for (const std::string& output : piece.outputs)
+    sweepAside((std::filesystem::path(folderOfOutput(output)) / ".").string());
+}
+
 class ListRun {
  public:
-  ListRun(std::size_t count, const PieceLimits& limits, const CancelToken& cancel)
+  ListRun(const std::vector<Piece>& list, std::size_t count, const PieceLimits& limits,
+          const CancelToken& cancel)
       : count_(count),
         limits_(limits),
         cancel_(cancel),
-        stamps_(limits.bytes, cancel),
+        stamps_(list, limits.bytes, cancel),
         progress_(terminalProgress()) {}
 
   void run(const std::vector<Piece>& group) {
@@ -77,6 +119,7 @@ class ListRun {
     std::vector<ToDo> all;
     std::vector<Piece> made;
     for (const Piece& piece : group) {
+      if (cancel_.cancelled()) return;
       std::string stamp = stamps_.of(piece);
       if (isDone(piece, stamp)) {
         skip(piece);
@@ -110,13 +153,15 @@ class ListRun {
     tell(piece, "skipped", {{"exit", end.exitStatus}, {"warnings", end.warnings}});
   }
 
-  // While a command replaces its output itself, there is no stamp, which would be of another one.
+  // While a command replaces its output itself, there is no stamp, which would be of another one. Where
+  // memory is limited, each piece has a process of its own: what one keeps would leave less to the next.
   void doOne(const ToDo& todo, std::size_t index, std::unique_ptr<PieceProcess>& process) {
     std::optional<StampTaken> taken;
     if (!todo.aside) taken.emplace(todo.asked);
     PieceResult result = process->run(index);
     if (todo.aside) result.error = todo.aside->named(std::move(result.error));
-    if (!result.exitStatus) process.reset();
+    if (!result.exitStatus || limits_.bytes > 0) process.reset();
+    if (!result.exitStatus && cancel_.cancelled()) sweepAfterwards(todo.asked);
     if (!finish(todo, result) && taken) taken->giveBack();
     if (todo.aside) todo.aside->clear();
   }
@@ -130,17 +175,16 @@ class ListRun {
   // Returns whether it was done.
   bool finish(const ToDo& todo, const PieceResult& result) {
     const Piece& piece = todo.asked;
-    LineJson facts = {{"seconds", std::round(result.seconds * 1000) / 1000},
-                      {"peakMebibytes", result.peakBytes >> 20},
-                      {"warnings", linesOf(result.error)}};
+    LineJson facts = measuresOf(result);
+    const bool isWell = isDoneWell(result);
+    facts["warnings"] = sentencesIn(result.error, isWell);
     if (result.exitStatus) facts["exit"] = *result.exitStatus;
-    const bool isDoneWell = result.exitStatus == exitDone || result.exitStatus == exitLosses;
-    if (cancel_.cancelled() && !isDoneWell) {
+    if (cancel_.cancelled() && !isWell) {
       tell(piece, "interrupted", facts);
       return false;
     }
     if (!result.exitStatus) facts["warnings"].push_back("Its process " + result.end + ".");
-    if (!isDoneWell) return fail(piece, facts);
+    if (!isWell) return fail(piece, facts);
     if (const Status kept = keep(todo, result); !kept) {
       facts["warnings"].push_back(kept.message());
       facts["exit"] = int(exitFailed);
@@ -157,7 +201,7 @@ class ListRun {
   static Status keep(const ToDo& todo, const PieceResult& result) {
     if (todo.asked.keepsStdout)
       if (Status s = writeWholeFile(todo.asked.outputs[0], result.out); !s) return s;
-    const StampedEnd end{*result.exitStatus, linesOf(result.error)};
+    const StampedEnd end{*result.exitStatus, sentencesIn(result.error, true)};
     return todo.aside ? todo.aside->move(todo.stamp, end) : writeStamp(todo.asked, todo.stamp, end);
   }
 
@@ -183,15 +227,16 @@ class ListRun {
 
 }  // namespace
 
-ListResult runList(const std::vector<std::vector<Piece>>& groups, const PieceLimits& limits,
-                   const CancelToken& cancel) {
+ListResult runList(const std::vector<Piece>& list, const std::vector<std::vector<Piece>>& groups,
+                   const PieceLimits& limits, const CancelToken& cancel) {
   std::size_t count = 0;
   for (const std::vector<Piece>& group : groups) count += group.size();
-  ListRun list(count, limits, cancel);
+  sweepFolders(groups);
+  ListRun run(list, count, limits, cancel);
   for (const std::vector<Piece>& group : groups)
-    if (!cancel.cancelled()) list.run(group);
+    if (!cancel.cancelled()) run.run(group);
   endTerminalProgress();
-  return std::move(list).result();
+  return std::move(run).result();
 }
 
 }  // namespace volumen

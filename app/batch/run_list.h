@@ -13,11 +13,12 @@ struct ListResult {
   std::vector<Piece> there;  ///< pieces whose outputs are there
 };
 
-/// Does groups of pieces (dealt()), each in a process of its own, and writes a JSON object a line to stdout
-/// for each: how it ended, exit status, seconds, peak of memory, warnings, and the error that a picture
-/// states. A piece that is done (isDone()) is skipped. What happens to one piece costs its line alone. There
-/// must be no threads and no workers. The limits are those of each piece.
-ListResult runList(const std::vector<std::vector<Piece>>& groups, const PieceLimits& limits,
-                   const CancelToken& cancel);
+/// Does groups of pieces of a list (dealt()), each in a process of its own (with a limit of memory each
+/// piece), and writes a JSON object a line to stdout for each: how it ended, exit status, seconds, peak of
+/// memory, warnings, and the error that a picture states. A piece that is done (isDone()) is skipped. What
+/// killed programs left in folders of outputs is removed. What happens to one piece costs its line alone.
+/// There must be no threads and no workers. The limits are those of each piece.
+ListResult runList(const std::vector<Piece>& list, const std::vector<std::vector<Piece>>& groups,
+                   const PieceLimits& limits, const CancelToken& cancel);
 
 }  // namespace volumen

@@ -16,13 +16,14 @@ class TestBatch : public QObject {
   void badUseIsSaid();
   void everyCommandIsDoneAsByHand();
   void whatIsWrittenToStdoutIsNoTable();
+  void onlyWarningsAreToldAsSuch_data();
+  void onlyWarningsAreToldAsSuch();
   void shardsDoEachPieceOnce();
   void slurmTasksAreShards_data();
   void slurmTasksAreShards();
   void manyShardsTakeNoTime();
   void pathsMayBeginWithADash();
   void tablesAreGathered();
-  void listsAreMadeOfTheIndex();
 };
 
 void TestBatch::badListsAreRefusedAtOnce_data() {
@@ -179,6 +180,42 @@ void TestBatch::whatIsWrittenToStdoutIsNoTable() {
   QVERIFY(folder.contents(QStringLiteral("a.csv")).startsWith("Name,"));
 }
 
+void TestBatch::onlyWarningsAreToldAsSuch_data() {
+  QTest::addColumn<QString>("command");
+  QTest::addColumn<QJsonObject>("options");
+  QTest::addColumn<QStringList>("said");
+  const QString size = QStringLiteral("size"), scene = QStringLiteral("print-scene");
+  QTest::newRow("names and the plan beside a scene")
+      << QStringLiteral("render")
+      << QJsonObject{{size, QStringLiteral("32x32")}, {scene, true}, {QStringLiteral("explain"), true}}
+      << QStringList();
+  QTest::newRow("the name beside a plane")
+      << QStringLiteral("slice") << QJsonObject{{QStringLiteral("print-plane"), true}} << QStringList();
+  QTest::newRow("all lines of what went wrong")
+      << QStringLiteral("render")
+      << QJsonObject{{size, QStringLiteral("32x32")}, {scene, true}, {QStringLiteral("quality"), 7}}
+      << QStringList{QStringLiteral("--quality"), QStringLiteral("See `volumen render --help`.")};
+}
+
+void TestBatch::onlyWarningsAreToldAsSuch() {
+  QFETCH(QString, command);
+  QFETCH(QJsonObject, options);
+  QFETCH(QStringList, said);
+  const BatchFolder folder;
+  folder.write(QStringLiteral("jobs"), listOf({piece(command, QStringLiteral("a.png"), options)}));
+  QStringList told;
+  for (int n = 0; n < 2; ++n) {  // then from the stamp
+    told.clear();
+    const Outcome a = folder.batch();
+    for (const QJsonValue& one : lineIn(a.out, 1)[QStringLiteral("warnings")].toArray())
+      told << one.toString();
+    QCOMPARE(told.size(), said.size());
+    QCOMPARE(a.status, said.isEmpty() ? 0 : 1);
+  }
+  for (qsizetype n = 0; n < said.size(); ++n)
+    QVERIFY2(told[n].startsWith(said[n]), qPrintable(told.join(QLatin1Char('\n'))));
+}
+
 void TestBatch::shardsDoEachPieceOnce() {
   QRandomGenerator random(75);
   const int cases = qEnvironmentVariableIntValue("VOLUMEN_RANDOM_CASES");
@@ -285,33 +322,6 @@ void TestBatch::tablesAreGathered() {
     QVERIFY2(rows[n + 1].endsWith(table.split('\n')[1].trimmed()), rows[n + 1]);
     QVERIFY(rows[n + 1].startsWith(QByteArray::number(n + 1) + ",phantom:ct-head:"));
   }
-}
-
-void TestBatch::listsAreMadeOfTheIndex() {
-  const BatchFolder folder;
-  const QString index = folder.at(QStringLiteral("index")), scans = folder.at(QStringLiteral("scans/"));
-  QCOMPARE(runProgram(QStringLiteral("convert %1 -o %2").arg(smallHead, scans)).status, 0);
-  QCOMPARE(runProgram(QStringLiteral("import %1 --index %2").arg(scans, index)).status, 0);
-  const auto list = [&](const QString& words, const QString& command) {
-    return runProgram({QStringLiteral("batch"), QStringLiteral("--from-index"), words, QStringLiteral("--do"),
-                       command, QStringLiteral("--index"), index});
-  };
-  const Outcome a = list(QStringLiteral("ct"),
-                         QStringLiteral("segment --recipe bone --csv \"{out}.csv\" -o {out}.stl --one-file"));
-  QVERIFY2(a.status == 0, a.err);
-  const QJsonObject one = QJsonDocument::fromJson(a.out).object();
-  QVERIFY2(one[QStringLiteral("path")].toString().startsWith(QLatin1String("index:")), a.out);
-  QCOMPARE(one[QStringLiteral("command")].toString(), QStringLiteral("segment"));
-  QCOMPARE(one[QStringLiteral("one-file")].toBool(), true);
-  QVERIFY(one[QStringLiteral("csv")].toString().size() > 20);
-  QCOMPARE(one[QStringLiteral("output")].toString().chopped(4),
-           one[QStringLiteral("csv")].toString().chopped(4));
-  for (const char* wrong : {"segment --colour 1", "paint", "segment --csv", "segment --csv a b"}) {
-    const Outcome b = list(QStringLiteral("ct"), QString::fromLatin1(wrong));
-    QVERIFY2(b.status == 2 && b.out.isEmpty() && b.err.contains("--do"), b.err);
-  }
-  QVERIFY(list(QStringLiteral("nobody"), QStringLiteral("render -o {out}.png"))
-              .err.contains("No study of the index"));
 }
 
 VOLUMEN_TEST(TestBatch);

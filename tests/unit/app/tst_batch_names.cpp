@@ -12,7 +12,12 @@ class TestBatchNames : public QObject {
   void whatIsReadStays();
   void tablesReplaceNothing_data();
   void tablesReplaceNothing();
-  void newFilesInSourceFoldersAreDoneAgain();
+  void surfacesThatCannotMeetMayHaveLikeNames_data();
+  void surfacesThatCannotMeetMayHaveLikeNames();
+  void whatTheListWritesIsNoSource_data();
+  void whatTheListWritesIsNoSource();
+  void messagesHaveTheNamesThatWereAskedFor_data();
+  void messagesHaveTheNamesThatWereAskedFor();
   void whatIsReadStaysByHand_data();
   void whatIsReadStaysByHand();
 };
@@ -27,6 +32,7 @@ void fillSources(const BatchFolder& folder) {
     QCOMPARE(runProgram(QStringLiteral("convert phantom:ct-head:16 -o %1").arg(folder.at(name))).status, 0);
   folder.write(QStringLiteral("roi.json"), R"([{"kind": "length", "points": [[0, 0, 0], [0, 30, 0]]}])");
   folder.write(QStringLiteral("src/t.csv"), "a,b\n1,2\n");
+  folder.write(QStringLiteral("src/s-mine.stl"), "mine");
   QVERIFY(QFile::link(folder.at(firstSlice), folder.at(QStringLiteral("link.nrrd"))));
 }
 
@@ -34,7 +40,7 @@ void fillSources(const BatchFolder& folder) {
 QByteArray sourceBytes(const BatchFolder& folder) {
   return folder.contents(firstSlice) + folder.contents(QStringLiteral("v.nrrd")) +
          folder.contents(QStringLiteral("roi.json")) + folder.contents(QStringLiteral("src/t.csv")) +
-         folder.contents(QStringLiteral("jobs"));
+         folder.contents(QStringLiteral("src/s-mine.stl")) + folder.contents(QStringLiteral("jobs"));
 }
 
 }  // namespace
@@ -81,6 +87,19 @@ void TestBatchNames::whatIsReadStays_data() {
       "{\"command\": \"render\", \"path\": \"v.nrrd\", \"turntable\": 3, \"output\": \"t.png\"}\n"
       "{\"command\": \"render\", \"path\": \"v.nrrd\", \"output\": \"t-002.png\"}",
       "Line 2 of the list: it writes t-002.png, as line 1 does");
+  row("a surface of a segment of another line",
+      "{\"command\": \"segment\", \"path\": \"v.nrrd\", \"recipe\": \"lungs-and-airways\", \"output\": "
+      "\"s.stl\"}\n"
+      "{\"command\": \"segment\", \"path\": \"v.nrrd\", \"recipe\": \"bone\", \"output\": \"s-Lungs.stl\"}",
+      "Line 2 of the list: it writes s-Lungs.stl, as line 1 may do, a file for each segment");
+  row("a surface of a file of segments",
+      "{\"command\": \"segment\", \"path\": \"v.nrrd\", \"range\": \"1:\", \"output\": \"s-a-1.stl\"}\n"
+      "{\"command\": \"export\", \"path\": \"v.nrrd\", \"as\": \"stl\", \"segments\": \"roi.json\", "
+      "\"output\": \"./s-a.stl\"}",
+      "Line 1 of the list: it writes s-a-1.stl, as line 2 may do, a file for each segment");
+  row("a surface in a source folder",
+      R"({"command": "segment", "path": "src", "from": "v.nrrd", "output": "src/s.stl"})",
+      "Line 1 of the list: it may write src/s-mine.stl, which line 1 reads");
   row("a stamp of another line",
       "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"b\"}\n"
       "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"b.volumen-stamp\"}",
@@ -130,15 +149,92 @@ void TestBatchNames::tablesReplaceNothing() {
   QVERIFY(sourceBytes(folder) == before && !QFile::exists(folder.at(QStringLiteral("a.csv"))));
 }
 
-void TestBatchNames::newFilesInSourceFoldersAreDoneAgain() {
+void TestBatchNames::surfacesThatCannotMeetMayHaveLikeNames_data() {
+  QTest::addColumn<QJsonObject>("options");
+  QTest::addColumn<QString>("other");
+  const QString range = QStringLiteral("range"), low = QStringLiteral("200:");
+  QTest::newRow("a range is one segment") << QJsonObject{{range, low}} << QStringLiteral("s-2.stl");
+  QTest::newRow("so is a recipe of one")
+      << QJsonObject{{QStringLiteral("recipe"), QStringLiteral("bone")}} << QStringLiteral("s-2.stl");
+  QTest::newRow("one file for all") << QJsonObject{{QStringLiteral("from"), QStringLiteral("v.nrrd")},
+                                                   {QStringLiteral("one-file"), true}}
+                                    << QStringLiteral("s-2.stl");
+  QTest::newRow("another kind of file")
+      << QJsonObject{{QStringLiteral("from"), QStringLiteral("v.nrrd")}} << QStringLiteral("s-2.ply");
+}
+
+// Pieces may fail, but the list is not refused.
+void TestBatchNames::surfacesThatCannotMeetMayHaveLikeNames() {
+  QFETCH(QJsonObject, options);
+  QFETCH(QString, other);
   const BatchFolder folder;
   fillSources(folder);
-  folder.write(QStringLiteral("jobs"),
-               listOf({smallPicture(QStringLiteral("src/a.png"), QStringLiteral("src"))}));
-  for (int n = 0; n < 2; ++n) {
+  folder.write(
+      QStringLiteral("jobs"),
+      listOf({piece(QStringLiteral("segment"), QStringLiteral("s.stl"), options),
+              piece(QStringLiteral("segment"), other, {{QStringLiteral("range"), QStringLiteral("200:")}})}));
+  const Outcome a = folder.batch();
+  QVERIFY2(a.status != 2, a.err);
+  QCOMPARE(endsIn(a.out)[2], QStringLiteral("done"));
+}
+
+void TestBatchNames::whatTheListWritesIsNoSource_data() {
+  QTest::addColumn<QByteArray>("list");
+  const auto row = [](const char* name, const char* list) { QTest::newRow(name) << QByteArray(list); };
+  row("a picture", R"({"command": "render", "path": "src", "size": "16x16", "output": "src/a.png"})");
+  row("by another spelling",
+      R"({"command": "render", "path": "src", "size": "16x16", "output": "src/../src/a.png"})");
+  row("pictures of a turn",
+      R"({"command": "render", "path": "src", "size": "16x16", "turntable": 2, "output": "src/a.png"})");
+  row("a folder", R"({"command": "convert", "path": "src", "output": "src/o/"})");
+  row("of other lines",
+      "{\"command\": \"info\", \"path\": \"src\", \"output\": \"a\"}\n"
+      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"src/b\"}");
+}
+
+// All else in the folder is one.
+void TestBatchNames::whatTheListWritesIsNoSource() {
+  QFETCH(QByteArray, list);
+  const BatchFolder folder;
+  fillSources(folder);
+  folder.write(QStringLiteral("jobs"), list);
+  const int count = int(list.count('\n')) + 1;
+  for (const char* end : {"done", "skipped"}) {
     const Outcome a = folder.batch();
     QVERIFY2(a.status == 0, a.out + a.err);
+    QCOMPARE(endsIn(a.out), all(count, QString::fromLatin1(end)));
   }
+  folder.write(QStringLiteral("src/new.txt"), "new");
+  QCOMPARE(endsIn(folder.batch().out)[1], QStringLiteral("done"));
+}
+
+void TestBatchNames::messagesHaveTheNamesThatWereAskedFor_data() {
+  QTest::addColumn<QString>("output");
+  QTest::addColumn<QString>("said");
+  QTest::newRow("a surface beside the list") << QStringLiteral("a.stl") << QStringLiteral("a.stl: ");
+  QTest::newRow("a surface in a folder") << QStringLiteral("sub/a.stl") << QStringLiteral("sub/a.stl: ");
+  QTest::newRow("in a folder whose name is not printed as it is")
+      << QStringLiteral("b\u0007l/a.stl") << QStringLiteral("b\\x07l/a.stl: ");
+  QTest::newRow("a folder for a surface") << QStringLiteral("o/") << QStringLiteral("o/: the name of this");
+}
+
+void TestBatchNames::messagesHaveTheNamesThatWereAskedFor() {
+  QFETCH(QString, output);
+  QFETCH(QString, said);
+  const BatchFolder folder;
+  const QString segments = QStringLiteral("s.seg.nrrd");
+  QCOMPARE(
+      runProgram(QStringLiteral("segment %1 --range 200: -o %2").arg(smallHead, folder.at(segments))).status,
+      0);
+  for (const QString& sub : {QStringLiteral("sub"), QStringLiteral("b\u0007l")})
+    QVERIFY(QDir(folder.at({})).mkdir(sub));
+  folder.write(QStringLiteral("jobs"), listOf({piece(QStringLiteral("export"), output,
+                                                     {{QStringLiteral("as"), QStringLiteral("stl")},
+                                                      {QStringLiteral("segments"), segments}})}));
+  const Outcome a = folder.batch();
+  const QString first = lineIn(a.out, 1)[QStringLiteral("warnings")].toArray().first().toString();
+  QVERIFY2(first.startsWith(said), a.out);
+  QVERIFY2(!a.out.contains(".volumen-"), a.out);
 }
 
 void TestBatchNames::whatIsReadStaysByHand_data() {

@@ -1,7 +1,11 @@
 // Guards `volumen batch` against everything that ends a piece of work or the program: what is there is whole,
 // and the next run does the rest.
+#include <fcntl.h>
 #include <signal.h>
+#include <sys/file.h>
+#include <unistd.h>
 
+#include <QElapsedTimer>
 #include <QRandomGenerator>
 #include <QScopeGuard>
 
@@ -29,6 +33,12 @@ void startWithSlowPiece(const BatchFolder& folder, QProcess& process) {
   QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder.at(QStringLiteral("a.png.volumen-stamp"))), 60000);
 }
 
+// Returns whether the line of a process that was ended tells how long it ran, and some memory.
+bool tookAtLeast(const QJsonObject& line, double seconds) {
+  return !line.contains(QStringLiteral("exit")) && line[QStringLiteral("seconds")].toDouble() >= seconds &&
+         line[QStringLiteral("peakMebibytes")].toInt() > 5;
+}
+
 }  // namespace
 
 class TestBatchSafety : public QObject {
@@ -37,10 +47,14 @@ class TestBatchSafety : public QObject {
   void aPoisonedPieceCostsItsLine();
   void aKilledProcessCostsItsLine();
   void littleMemoryIsSaid();
+  void piecesBeforeTakeNoMemory();
   void whatTakesTooLongIsEnded();
   void twoProgramsMayDoOneList();
   void killedProgramsLeaveNothingHalf();
+  void whatKilledProgramsLeftIsRemoved_data();
+  void whatKilledProgramsLeftIsRemoved();
   void interruptionsLeaveNothingHalf();
+  void interruptionsEndWhatDoesNotEndItself();
   void foldersAreWholeOrNotThere();
   void seriesAreFolders();
   void otherFoldersStay();
@@ -84,6 +98,7 @@ void TestBatchSafety::aKilledProcessCostsItsLine() {
   QCOMPARE(endsIn(out), ends);
   const QJsonArray said = lineIn(out, 2)[QStringLiteral("warnings")].toArray();
   QVERIFY2(said.contains(QStringLiteral("Its process was ended by signal 9.")), out);
+  QVERIFY2(tookAtLeast(lineIn(out, 2), 0.1), out);
 }
 
 void TestBatchSafety::littleMemoryIsSaid() {
@@ -98,6 +113,23 @@ void TestBatchSafety::littleMemoryIsSaid() {
   QVERIFY2(lineIn(a.out, 2)[QStringLiteral("exit")].toInt() == 1 && a.out.contains("memory"), a.out);
 }
 
+// The second and the third piece would fail if the process kept what the first one read.
+void TestBatchSafety::piecesBeforeTakeNoMemory() {
+  const BatchFolder folder;
+  const QString volume = QStringLiteral("phantom:ct-head:160");
+  folder.write(
+      QStringLiteral("jobs"),
+      listOf({smallPicture(QStringLiteral("a.png"), volume),
+              piece(QStringLiteral("segment"), QStringLiteral("b.seg.nrrd"),
+                    {{QStringLiteral("path"), volume}, {QStringLiteral("recipe"), QStringLiteral("bone")}}),
+              smallPicture(QStringLiteral("c.png"), volume)}));
+  const Outcome a = folder.batch({QStringLiteral("--max-memory"), QStringLiteral("80M")});
+  QVERIFY2(a.status == 0, a.out);
+  QCOMPARE(endsIn(a.out), all(3, QStringLiteral("done")));
+  QCOMPARE(lineIn(a.out, 3)[QStringLiteral("warnings")], lineIn(a.out, 1)[QStringLiteral("warnings")]);
+  QVERIFY(folder.contents(QStringLiteral("a.png")) == folder.contents(QStringLiteral("c.png")));
+}
+
 void TestBatchSafety::whatTakesTooLongIsEnded() {
   const BatchFolder folder;
   folder.write(QStringLiteral("jobs"),
@@ -107,6 +139,7 @@ void TestBatchSafety::whatTakesTooLongIsEnded() {
   const QMap<int, QString> ends{{1, QStringLiteral("failed")}, {2, QStringLiteral("done")}};
   QCOMPARE(endsIn(a.out), ends);
   QVERIFY2(a.out.contains("Its process took longer than --timeout allows."), a.out);
+  QVERIFY2(tookAtLeast(lineIn(a.out, 1), 5), a.out);
 }
 
 void TestBatchSafety::twoProgramsMayDoOneList() {
@@ -153,6 +186,33 @@ void TestBatchSafety::killedProgramsLeaveNothingHalf() {
   QCOMPARE(folder.files().size(), 2 * 9 + 1);
 }
 
+void TestBatchSafety::whatKilledProgramsLeftIsRemoved_data() {
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<bool>("isLocked");
+  QTest::addColumn<bool>("stays");
+  QTest::newRow("a folder of a killed program") << QStringLiteral(".volumen-abcdef") << false << false;
+  QTest::newRow("one whose maker lives") << QStringLiteral(".volumen-abcdef") << true << true;
+  QTest::newRow("one of another name") << QStringLiteral(".volumen-abcde") << false << true;
+}
+
+// Also where nothing is to be done.
+void TestBatchSafety::whatKilledProgramsLeftIsRemoved() {
+  QFETCH(QString, name);
+  QFETCH(bool, isLocked);
+  QFETCH(bool, stays);
+  const BatchFolder folder;
+  QVERIFY(QDir(folder.at({})).mkdir(QStringLiteral("out")));
+  folder.write(QStringLiteral("jobs"), listOf({smallPicture(QStringLiteral("out/a.png"))}));
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("done")));
+  const QString left = folder.at(QStringLiteral("out/") + name);
+  QVERIFY(QDir().mkpath(left + QStringLiteral("/1/series")));
+  const int lock = open(qPrintable(left), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  const auto close = qScopeGuard([&] { ::close(lock); });
+  if (isLocked) QCOMPARE(flock(lock, LOCK_EX), 0);
+  QCOMPARE(endsIn(folder.batch().out), all(1, QStringLiteral("skipped")));
+  QCOMPARE(QFile::exists(left), stays);
+}
+
 void TestBatchSafety::interruptionsLeaveNothingHalf() {
   const BatchFolder folder;
   QProcess process;
@@ -163,6 +223,29 @@ void TestBatchSafety::interruptionsLeaveNothingHalf() {
   QCOMPARE(process.exitStatus(), QProcess::CrashExit);  // ended by the signal
   const QMap<int, QString> ends{{1, QStringLiteral("done")}, {2, QStringLiteral("interrupted")}};
   QCOMPARE(endsIn(process.readAllStandardOutput()), ends);
+  QCOMPARE(folder.files(), (QStringList{QStringLiteral("a.png"), QStringLiteral("a.png.volumen-stamp"),
+                                        QStringLiteral("jobs")}));
+}
+
+// A stopped process stands for one that is far from its next look at the interruption.
+void TestBatchSafety::interruptionsEndWhatDoesNotEndItself() {
+  const BatchFolder folder;
+  QProcess process;
+  startWithSlowPiece(folder, process);
+  QTest::qWait(200);
+  const QList<pid_t> children = childrenOf(process.processId());
+  QCOMPARE(children.size(), 1);
+  QCOMPARE(kill(children[0], SIGSTOP), 0);
+  folder.write(QStringLiteral(".volumen-abcdef"), "half");
+  QElapsedTimer timer;
+  timer.start();
+  process.terminate();
+  QVERIFY(process.waitForFinished(20000));
+  QVERIFY2(timer.elapsed() < 3000, qPrintable(QString::number(timer.elapsed())));
+  const QByteArray out = process.readAllStandardOutput();
+  QCOMPARE(lineIn(out, 2)[QStringLiteral("end")].toString(), QStringLiteral("interrupted"));
+  QVERIFY2(tookAtLeast(lineIn(out, 2), 0.1), out);
+  QVERIFY(kill(children[0], 0) != 0);
   QCOMPARE(folder.files(), (QStringList{QStringLiteral("a.png"), QStringLiteral("a.png.volumen-stamp"),
                                         QStringLiteral("jobs")}));
 }
