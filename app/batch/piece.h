@@ -27,21 +27,12 @@ struct Piece {
 /// Returns the name of an output without the '/' at the end of a folder.
 std::string bareName(const std::string& output);
 
-<<<<<<< HEAD
 /// Reads a list of work: one JSON object a line. Its keys are "command", "path", "output" or "csv", and long
 /// options of the command without dashes. The value true sets a flag. An array stands for its texts joined
 /// by commas. Empty lines and lines that begin with # are skipped. Returns an Error that names the line if
 /// it is no JSON object, has a key twice, an unknown command or option, a value that does not fit, or no
-/// output.
-Result<std::vector<Piece>> readPieces(std::string_view list, const CommandLine& commands);
-=======
-/// Reads a list of work, a JSON object a line. Its keys are "command", "path", "output" or "csv", and long
-/// options of the command without dashes. The value true sets a flag, and a list stands for its texts joined
-/// by commas. Empty lines and lines that begin with # are skipped. The Error names the line: it is no JSON
-/// object, has a key twice, an unknown command or option, a value that does not fit, or no output; or reading
-/// it was cancelled.
+/// output. Returns an Error, too, if reading was cancelled.
 Result<std::vector<Piece>> readPieces(std::string_view list, const CommandLine& commands,
                                       const CancelToken& cancel = {});
->>>>>>> h-batch2
 
 }  // namespace volumen
