@@ -16,6 +16,13 @@
 
 namespace volumen::tests {
 
+/// Skips a test that limits the memory of pieces: AddressSanitizer reserves far more.
+#ifdef __SANITIZE_ADDRESS__
+#define NEED_LIMITED_MEMORY() QSKIP("AddressSanitizer reserves more memory than any limit leaves")
+#else
+#define NEED_LIMITED_MEMORY()
+#endif
+
 inline const QString smallHead = QStringLiteral("phantom:ct-head:32");
 
 inline QJsonObject piece(const QString& command, const QString& output, QJsonObject options = {}) {

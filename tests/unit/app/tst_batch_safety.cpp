@@ -102,6 +102,7 @@ void TestBatchSafety::aKilledProcessCostsItsLine() {
 }
 
 void TestBatchSafety::littleMemoryIsSaid() {
+  NEED_LIMITED_MEMORY();
   const BatchFolder folder;
   folder.write(QStringLiteral("jobs"),
                listOf({smallPicture(QStringLiteral("a.png")),
@@ -115,6 +116,7 @@ void TestBatchSafety::littleMemoryIsSaid() {
 
 // The second and the third piece would fail if the process kept what the first one read.
 void TestBatchSafety::piecesBeforeTakeNoMemory() {
+  NEED_LIMITED_MEMORY();
   const BatchFolder folder;
   const QString volume = QStringLiteral("phantom:ct-head:160");
   folder.write(

@@ -82,6 +82,7 @@ void TestBatchStamps::stampsThatNoLongerHoldAreDoneAgain() {
   } else if (change == QLatin1String("half an output")) {
     QVERIFY(QFile::resize(folder.at(output), before.size() / 2));
   } else if (change == QLatin1String("another limit of memory")) {
+    NEED_LIMITED_MEMORY();
     options = {QStringLiteral("--max-memory"), QStringLiteral("2G")};
   } else if (change == QLatin1String("another version")) {
     folder.write(stamp, folder.contents(stamp).replace("\"version\":\"", "\"version\":\"0"));
