@@ -71,8 +71,10 @@ void TestExportClip::clipsAreTheirFrames() {
     const Outcome drawn =
         run(QStringLiteral("slice"), clip, plane + window + QStringLiteral(" --index %1").arg(n), png);
     QVERIFY2(drawn.status == 0, drawn.err);
-    const QImage frame = QImage(png).scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
-    QCOMPARE(film.pictures[std::size_t(n)], frame.convertToFormat(QImage::Format_RGB888));
+    const QImage frame = QImage(png).convertToFormat(QImage::Format_RGB888);
+    QCOMPARE(film.pictures[std::size_t(n)],
+             frame.scaled(size, Qt::IgnoreAspectRatio, Qt::SmoothTransformation)
+                 .convertToFormat(QImage::Format_RGB888));
   }
 }
 

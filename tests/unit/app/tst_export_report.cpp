@@ -166,7 +166,8 @@ void TestExportReport::numbersAndImagesAreTheMeasured() {
     QCOMPARE(group.shapes.size(), std::size_t(shapes[n].plane ? 1 : 0));
     const ReferencedPicture& picture = isOnPixels ? drawn.pictures.at(0) : group.pictures.at(0);
     QCOMPARE(picture.sopInstanceUid, series.sopInstanceUids[std::size_t(slice.acquired)]);
-    const bool isMultiFrame = isOnPixels && series.sopInstanceUids[0] == series.sopInstanceUids[1];
+    const bool isMultiFrame = isOnPixels && series.sopInstanceUids.size() > 1 &&
+                              series.sopInstanceUids[0] == series.sopInstanceUids[1];
     if (isMultiFrame) QCOMPARE(picture.frames, std::vector{series.frames[std::size_t(slice.acquired)]});
     const bool isFirst = shapes[n].kind == ShapeKind::length;
     if (!isFirst) continue;
