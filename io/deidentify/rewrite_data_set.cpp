@@ -5,8 +5,8 @@
 #include <dcmtk/dcmdata/dcdict.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <set>
 
 #include "io/deidentify/dates.h"
 #include "io/deidentify/descriptor_words.h"
@@ -116,19 +116,30 @@ class Rewrite {
   };
 
   void addScope(DataSet::Scope scope, Encoding encoding, Place place) {
-    const std::set<std::uint32_t> privates =
-        retained_.privates ? safePrivateElements(data_, scope) : std::set<std::uint32_t>();
+    const auto privates =
+        retained_.privates ? safePrivateElements(data_, scope) : std::map<std::uint32_t, std::uint16_t>();
     for (std::uint32_t n = scope.begin; n < scope.end; n = elements_[n].end) {
       const Element& e = elements_[n];
       if (place.isRoot) addStatementBefore(e.tag, encoding);
       const bool isPrivate = e.tag >> 16 & 1, isGroupLength = (e.tag & 0xffff) == 0;
       if (isGroupLength || (place.isRoot && isOfStatement(e.tag))) continue;
       if (isPrivate) {
-        if (privates.contains(n)) copy(e, encoding);
+        if (const auto safe = privates.find(n); safe != privates.end())
+          addPrivate(e, safe->second, scope, encoding);
       } else {
         addElement(n, scope, encoding, place);
       }
     }
+  }
+
+  // Bytes whose VR the file does not say may be text.
+  void addPrivate(const Element& e, std::uint16_t listed, DataSet::Scope scope, Encoding encoding) {
+    const bool isCreator = (e.tag & 0xffff) <= 0xff;
+    if (isCreator) return copy(e, encoding);
+    const std::uint16_t vr = vrOfPrivate(e, listed);
+    const bool isCleaned = vr == codeVr || isTextVr(vr);
+    if (!isCleaned && vr != e.vr && identifying_.isIn(data_.utf8(e.tag, scope))) return;
+    addValue(e, vr, scope, encoding, ProfileAction::keep);
   }
 
   void addElement(std::uint32_t n, DataSet::Scope scope, Encoding encoding, Place place) {

@@ -20,6 +20,8 @@ class TestDeidentifiedRuns : public QObject {
  private Q_SLOTS:
   void attributesBesideTheTableLoseIdentity_data();
   void attributesBesideTheTableLoseIdentity();
+  void keptPrivateAttributesLoseIdentity_data();
+  void keptPrivateAttributesLoseIdentity();
   void aLostMosaicIsTold();
   void noEmptyFolderIsLeft();
   void originalsAreNoTarget();
@@ -67,6 +69,61 @@ void TestDeidentifiedRuns::attributesBesideTheTableLoseIdentity() {
   const auto copy = exported_.only();
   QVERIFY(copy);
   QTEST(QByteArray::fromStdString(textOf(*copy->getDataset(), attribute)), "after");
+}
+
+void TestDeidentifiedRuns::keptPrivateAttributesLoseIdentity_data() {
+  QTest::addColumn<quint32>("tag");
+  QTest::addColumn<QByteArray>("vr");
+  QTest::addColumn<QByteArray>("value");
+  QTest::addColumn<QByteArray>("after");  // empty: the attribute is gone
+  const auto row = [](const char* name, quint32 tag, const char* vr, const char* value, const char* after) {
+    QTest::newRow(name) << tag << QByteArray(vr) << QByteArray(value) << QByteArray(after);
+  };
+  row("a code with a name", 0x0019100d, "CS", "MUSTERMANN", "DEIDENTIFIED");
+  row("codes with a name", 0x20011004, "CS", "ERIKA\\MUSTERMANN", "DEIDENTIFIED\\DEIDENTIFIED");
+  row("a code without a name", 0x0019100d, "CS", "DIRECTIONAL", "DIRECTIONAL");
+  row("a code of VR UN", 0x0019100d, "UN", "MUSTERMANN", "DEIDENTIFIED");
+  row("a text with a name", 0x00431027, "SH", "of Mustermann", "DEIDENTIFIED");
+  row("a number", 0x0019100c, "IS", "800", "800");
+  row("a number of VR UN", 0x0019100c, "UN", "80", "38\\30");
+  row("no number", 0x70531000, "DS", "770042ZZ", "");
+  row("no number among others", 0x0043106f, "DS", "7\\770042ZZ", "");
+  row("a text in place of a number", 0x0019100c, "LT", "770042ZZ", "");
+  row("a person in place of a number", 0x0019100c, "PN", "Mustermann^Erika", "");
+  row("a person in place of a code", 0x0019100d, "PN", "Schmidt^Eva", "");
+  row("bytes in place of a number", 0x0019100e, "OB", "Schmidts", "");
+  row("a name as long as numbers", 0x0019100e, "UN", "Mustermann Erika", "");
+  row("bytes that are no whole number", 0x0019100e, "UN", "Schmid", "");
+}
+
+void TestDeidentifiedRuns::keptPrivateAttributesLoseIdentity() {
+  QFETCH(quint32, tag);
+  QFETCH(QByteArray, vr);
+  QFETCH(QByteArray, value);
+  const DcmTag attribute(Uint16(tag >> 16), Uint16(tag & 0xffff), DcmVR(vr.constData()));
+  const bool isBytes = vr == "UN" || vr == "OB";
+  DicomPicture picture;
+  picture.edit = [&](DcmDataset& data) {
+    data.putAndInsertString(DCM_PatientName, "Mustermann^Erika");
+    for (const auto& [group, creator] :
+         {std::pair(Uint16(0x0019), "SIEMENS MR HEADER"), std::pair(Uint16(0x0043), "GEMS_PARM_01"),
+          std::pair(Uint16(0x2001), "Philips Imaging DD 001"),
+          std::pair(Uint16(0x7053), "Philips PET Private Group")})
+      data.putAndInsertString(DcmTag(group, 0x0010, EVR_LO), creator);
+    if (isBytes)
+      data.putAndInsertUint8Array(attribute, reinterpret_cast<const Uint8*>(value.constData()),
+                                  static_cast<unsigned long>(value.size()));
+    else
+      data.putAndInsertString(attribute, value.constData());
+  };
+  const QString path = exported_.pathOf("in.dcm");
+  writeDicom(path.toStdString(), picture);
+  QCOMPARE(exported_.run(path, {QStringLiteral("--keep"), QStringLiteral("private")}).status, 0);
+  const auto copy = exported_.only();
+  QVERIFY(copy);
+  QTEST(QByteArray::fromStdString(textOf(*copy->getDataset(), attribute)), "after");
+  QFETCH(QByteArray, after);
+  QCOMPARE(bool(copy->getDataset()->tagExists(attribute)), !after.isEmpty());
 }
 
 void TestDeidentifiedRuns::aLostMosaicIsTold() {
