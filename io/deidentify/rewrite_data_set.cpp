@@ -79,11 +79,10 @@ bool isTextVr(std::uint16_t vr) {
 }
 
 // Returns true if programs need value `n` of a code to read the object: character set, kind of image,
-// modality, pixel format, kind of a content item.
+// modality, photometric interpretation, kind of a content item.
 bool isOfFormat(std::uint32_t tag, int n) {
-  constexpr std::uint32_t codes[] = {0x00080005, 0x00080060, 0x0040a010, 0x0040a040, 0x0040a050};
-  return tag >> 16 == 0x0028 || (tag == imageType && n < 2) ||
-         std::ranges::find(codes, tag) != std::end(codes);
+  constexpr std::uint32_t codes[] = {0x00080005, 0x00080060, 0x00280004, 0x0040a010, 0x0040a040, 0x0040a050};
+  return (tag == imageType && n < 2) || std::ranges::find(codes, tag) != std::end(codes);
 }
 
 bool isDateVr(std::uint16_t vr) { return vr == vrOf('D', 'A') || vr == vrOf('D', 'T'); }

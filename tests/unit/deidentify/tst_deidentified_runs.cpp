@@ -46,6 +46,9 @@ void TestDeidentifiedRuns::attributesBesideTheTableLoseIdentity_data() {
   row("a name over two codes", 0x00080008, "CS", "ORIGINAL\\PRIMARY\\MUSTER\\MANN",
       "ORIGINAL\\PRIMARY\\DEIDENTIFIED\\DEIDENTIFIED");
   row("a code without a name", 0x00180015, "CS", "HEAD", "HEAD");
+  row("a code beside the pixels", 0x00280051, "CS", "MUSTERMANN\\ATTN", "DEIDENTIFIED\\ATTN");
+  row("an ID in a code beside the pixels", 0x00282114, "CS", "PID77X", "DEIDENTIFIED");
+  row("an ID over two values", 0x00281055, "LO", "PID\\77X", "DEIDENTIFIED");
   row("a short whole name", 0x00081090, "LO", "of ERIKA mustermann", "DEIDENTIFIED");
   row("the UID of a source", 0x00081167, "UI", "1.2.3.8\\1.2.3.9",
       exported_.uid("1.2.3.8") + "\\" + exported_.uid("1.2.3.9"));
@@ -61,6 +64,7 @@ void TestDeidentifiedRuns::attributesBesideTheTableLoseIdentity() {
   DicomPicture picture;
   picture.edit = [&](DcmDataset& data) {
     data.putAndInsertString(DCM_PatientName, "Mustermann^Erika");
+    data.putAndInsertString(DCM_PatientID, "PID-77-X");
     data.putAndInsertString(attribute, value.constData());
   };
   const QString path = exported_.pathOf("in.dcm");
