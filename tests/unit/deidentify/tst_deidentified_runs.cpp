@@ -22,6 +22,8 @@ class TestDeidentifiedRuns : public QObject {
   void attributesBesideTheTableLoseIdentity();
   void keptPrivateAttributesLoseIdentity_data();
   void keptPrivateAttributesLoseIdentity();
+  void secondRunsOfOneUidAgree_data();
+  void secondRunsOfOneUidAgree();
   void aLostMosaicIsTold();
   void noEmptyFolderIsLeft();
   void originalsAreNoTarget();
@@ -128,6 +130,43 @@ void TestDeidentifiedRuns::keptPrivateAttributesLoseIdentity() {
   QTEST(QByteArray::fromStdString(textOf(*copy->getDataset(), attribute)), "after");
   QFETCH(QByteArray, after);
   QCOMPARE(bool(copy->getDataset()->tagExists(attribute)), !after.isEmpty());
+}
+
+void TestDeidentifiedRuns::secondRunsOfOneUidAgree_data() {
+  QTest::addColumn<QString>("copied");
+  QTest::addColumn<QString>("leftOut");
+  const QString a = QStringLiteral("a.dcm"), b = QStringLiteral("b.dcm");
+  QTest::newRow("the first of two was copied") << a << b;
+  QTest::newRow("the second of two was copied") << b << a;
+}
+
+// Of two files with one UID that differ, the one whose copy is there stays the one that is copied.
+void TestDeidentifiedRuns::secondRunsOfOneUidAgree() {
+  QFETCH(QString, copied);
+  const QTemporaryDir source, target;
+  DicomPicture picture;
+  picture.edit = [](DcmDataset& data) { data.putAndInsertString(DCM_SOPInstanceUID, "1.2.3.4.5.1"); };
+  for (const char* name : {"a.dcm", "b.dcm"}) {
+    picture.pixels = {std::uint16_t(name[0])};
+    writeDicom(source.filePath(QString::fromLatin1(name)).toStdString(), picture);
+  }
+  const auto run = [&](const QString& path) {
+    return runProgram({QStringLiteral("export"), path, QStringLiteral("--deidentify"), QStringLiteral("-o"),
+                       target.filePath(QStringLiteral("out")), QStringLiteral("--key"),
+                       exported_.pathOf("key"), QStringLiteral("--json")});
+  };
+  QCOMPARE(run(source.filePath(copied)).status, 0);
+  const Outcome again = run(source.path());
+  QCOMPARE(again.status, 3);
+  const QJsonDocument report = QJsonDocument::fromJson(again.out);
+  QCOMPARE(report[QStringLiteral("alreadyThere")].toInt(), 1);
+  QCOMPARE(report[QStringLiteral("twice")].toInt(), 0);
+  QCOMPARE(report[QStringLiteral("leftOut")].toArray().size(), 1);
+  const QJsonValue left = report[QStringLiteral("leftOut")][0];
+  QFETCH(QString, leftOut);
+  QCOMPARE(left[QStringLiteral("path")].toString(), source.filePath(leftOut));
+  QCOMPARE(left[QStringLiteral("reason")].toString(),
+           QStringLiteral("another file with other contents has the same instance UID"));
 }
 
 void TestDeidentifiedRuns::aLostMosaicIsTold() {
