@@ -136,8 +136,9 @@ class Rewrite {
     const bool isCreator = (e.tag & 0xffff) <= 0xff;
     if (isCreator) return copy(e, encoding);
     const std::uint16_t vr = vrOfPrivate(e, listed);
-    const bool isCleaned = vr == codeVr || isTextVr(vr);
-    if (!isCleaned && vr != e.vr && identifying_.isIn(data_.utf8(e.tag, scope))) return;
+    const bool isText = vr == codeVr || isTextVr(vr),
+               isDecimal = vr == vrOf('D', 'S') || vr == vrOf('I', 'S');
+    if (!isText && !isDecimal && vr != e.vr && identifying_.isIn(data_.utf8(e.tag, scope))) return;
     addValue(e, vr, scope, encoding, ProfileAction::keep);
   }
 
