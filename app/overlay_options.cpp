@@ -6,6 +6,7 @@
 #include "app/plane_options.h"
 #include "app/usage.h"
 #include "results/series/usual_window.h"
+#include "results/text/text.h"
 #include "viewer/slice/first_window.h"
 
 namespace volumen {
@@ -21,7 +22,7 @@ Window overlaysWindow(const Opened& opened, const std::optional<Window>& asked) 
 std::string wordsOf(const Opened& opened, const OverlayOptions& options, const Window& window,
                     const std::string& relation) {
   const auto number = [](double value) { return nlohmann::json(value).dump(); };
-  std::string words = opened.series.description + " (" + opened.series.id + ") in " + options.colours +
+  std::string words = descriptionOf(opened.series) + " (" + opened.series.id + ") in " + options.colours +
                       ", opacity " + number(options.opacity) + ", window " + number(window.centre) + "," +
                       number(window.width);
   if (!relation.empty()) words += ", " + relation;
@@ -29,6 +30,10 @@ std::string wordsOf(const Opened& opened, const OverlayOptions& options, const W
 }
 
 }  // namespace
+
+std::string descriptionOf(const Series& series) {
+  return series.description.empty() ? seriesText(series).toStdString() : series.description;
+}
 
 void addOverlayOptions(CLI::App& app, OverlayOptions& options) {
   std::vector<std::string> colours;

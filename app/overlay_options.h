@@ -23,6 +23,9 @@ struct Overlay {
   std::string words;  ///< what lies over the slices, and how: series, colours, opacity, window, relation
 };
 
+/// Returns the description of a series; if it has none, modality and number (seriesText()).
+std::string descriptionOf(const Series& series);
+
 /// Adds --overlay, --overlay-series, --overlay-window, --overlay-colours and --overlay-opacity.
 void addOverlayOptions(CLI::App& app, OverlayOptions& options);
 

@@ -182,19 +182,18 @@ Result<Deidentification> deidentificationOf(const ExportOptions& options) {
 }
 
 // Writes copies without identity of the files of the job's path, or of `made` of it.
-int deidentify(const ExportOptions& options, const std::string& made, const CancelToken& cancel) {
+int deidentifyTo(const OutputTarget& target, const ExportOptions& options, const std::string& made,
+                 const CancelToken& cancel) {
   const ExportJob& job = options.job;
-  const auto target = OutputTarget::of(job.output);
-  if (!target) return fail(target.message());
   const auto how = deidentificationOf(options);
   if (!how) return fail(how.message());
-  const GivenNames names{*target, made, job.path};
+  const GivenNames names{target, made, job.path};
   const auto files = filesOfPath(made.empty() ? job.path : made, terminalProgress(), cancel);
   if (!files) return fail(names.in(files.message()), cancel);
   int complete = 0;
-  auto report = deidentifyFiles(*files, target->path(), *how, terminalProgress(), cancel, &complete);
+  auto report = deidentifyFiles(*files, target.path(), *how, terminalProgress(), cancel, &complete);
   endTerminalProgress();
-  if (!report && complete > 0 && !target->archive())
+  if (!report && complete > 0 && !target.archive())
     return fail((cancel.cancelled() ? "Interrupted." : names.in(report.message())) + " Copies of " +
                 std::to_string(complete) + " of " + std::to_string(files->size()) + " files are in " +
                 job.output + ", each of them whole.");
@@ -204,10 +203,14 @@ int deidentify(const ExportOptions& options, const std::string& made, const Canc
   nameAsGiven(*report, names);
   warn(*report);
   const int status = done == 0 ? exitFailed : report->leftOut.empty() ? exitDone : exitLosses;
-  if (target->archive() && done > 0)
-    return sendWritten(*target, toJson(*report), options.json, status, cancel);
+  if (target.archive() && done > 0) return sendWritten(target, toJson(*report), options.json, status, cancel);
   print(*report, job.output, options.json);
   return status;
+}
+
+int deidentify(const ExportOptions& options, const CancelToken& cancel) {
+  const auto target = OutputTarget::of(options.job.output);
+  return target ? deidentifyTo(*target, options, {}, cancel) : fail(target.message());
 }
 
 // Writes the format into a temporary folder, and copies of that without identity.
@@ -218,6 +221,8 @@ int writeWithoutIdentity(const ExportFormat& format, const ExportOptions& option
   if (format.hasPages)
     return failUsage(std::string("--as ") + format.name +
                      " writes pages, which may name the patient: leave --deidentify out.");
+  const auto target = OutputTarget::of(options.job.output);
+  if (!target) return fail(target.message());
   const QTemporaryDir folder;
   if (!folder.isValid()) return fail("Cannot make a temporary folder: free some space.");
   const std::string made = folder.path().toStdString();
@@ -232,7 +237,7 @@ int writeWithoutIdentity(const ExportFormat& format, const ExportOptions& option
   std::vector<std::string> notes = done->notes;
   std::ranges::transform(notes, notes.begin(), asGiven);
   printNotes(notes);
-  const int status = deidentify(options, made, cancel);
+  const int status = deidentifyTo(*target, options, made, cancel);
   return status == exitDone ? statusWith(done->unread) : status;
 }
 
@@ -271,7 +276,7 @@ int run(const CLI::App& app, ExportOptions& options, const CancelToken& cancel) 
   const auto format = std::ranges::find(formats, options.format, &ExportFormat::name);
   const bool isKnown = format != formats.end();
   if (Status s = checkFormatOptions(app, isKnown ? &*format : nullptr); !s) return failUsage(s.message());
-  if (!isKnown) return deidentify(options, {}, cancel);
+  if (!isKnown) return deidentify(options, cancel);
   if (Status s = checkOther(app, options.job); !s) return failUsage(s.message());
   if (Status s = checkCurve(app, *format); !s) return failUsage(s.message());
   if (Status s = settlePlane(app, *format, options.job); !s) return failUsage(s.message());

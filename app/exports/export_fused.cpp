@@ -36,9 +36,9 @@ CaptureTags fusedTags(const SliceStack& stack, const SeriesSource& source, const
   const Series &under = source.opened.series, &over = overlay.opened.series;
   CaptureTags tags;
   tags.description = (source.without ? source.without->title + ": " : "") + wordsOf(stack) + ", fused with " +
-                     over.description;
+                     descriptionOf(over);
   tags.seriesNumber = source.seriesNumber;
-  tags.derivation = wordsOf(stack) + " of " + under.description +
+  tags.derivation = wordsOf(stack) + " of " + descriptionOf(under) +
                     (source.without ? " with air in place of " + source.without->parts : "") +
                     ", resampled with " + wordsOf(stack.first.interpolation) + " interpolation, window " +
                     first.window + "; over it " + overlay.words + "; written by volumen " VOLUMEN_VERSION;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <set>
 
@@ -46,13 +47,22 @@ class Copies {
   }
   bool isDone(const std::string& path) const { return done_.contains(path); }
 
-  // Compares files whose instance UID was already taken with the copy that has it.
+  // Compares files whose instance UID was already taken with the copy that has it. An earlier run may have
+  // written that copy from one of them.
   void compareAll() {
-    for (const auto& [path, target, file] : later_)
-      if (isWrittenAt(file, path, target))
-        ++report_.twice;
+    constexpr const char* sameUid = "another file with other contents has the same instance UID";
+    std::set<std::string> owned;
+    for (const Later& one : later_) {
+      if (!isWrittenAt(one.file, one.path, one.target))
+        report_.leftOut.push_back({one.path, sameUid});
+      else if (const bool isFirst = owned.insert(one.target).second; isFirst && others_.contains(one.target))
+        note(one.file, one.target, true, one.isFaceless);
       else
-        report_.leftOut.push_back({path, "another file with other contents has the same instance UID"});
+        ++report_.twice;
+    }
+    for (const auto& [target, path] : others_)
+      report_.leftOut.push_back(
+          {path, owned.contains(target) ? sameUid : target + " is there already, with other contents"});
   }
 
   // Returns the number of copies that are whole.
@@ -76,6 +86,12 @@ class Copies {
   }
 
  private:
+  struct Later {
+    std::string path, target;
+    DeidentifiedFile file;
+    bool isFaceless;
+  };
+
   // Removes the folders of copies that could not be written.
   void removeEmptyFolders() const {
     std::error_code ignored;
@@ -88,7 +104,7 @@ class Copies {
   void write(const std::string& path, const DeidentifiedFile& file, bool isFaceless) {
     const std::string series = folder_ + "/" + nameForUid(file.studyUid) + "/" + nameForUid(file.seriesUid);
     const std::string target = series + "/" + nameForUid(file.instanceUid) + ".dcm";
-    if (!claim(target)) return compareLater(path, target, file);
+    if (!claim(target)) return compareLater({path, target, file, isFaceless});
     std::error_code ignored;
     const bool isThere = fs::exists(target, ignored);
     Status written = makePrivateFolder(series);
@@ -99,7 +115,14 @@ class Copies {
       if (problem_) problem_ = written;
       return;
     }
-    if (!isSame) return report_.leftOut.push_back({path, target + " is there already, with other contents"});
+    if (isSame)
+      note(file, target, isThere, isFaceless);
+    else
+      others_.emplace(target, path);
+  }
+  // Counts a copy and what its pixels may show.
+  void note(const DeidentifiedFile& file, const std::string& target, bool isThere, bool isFaceless) {
+    const std::string series = fs::path(target).parent_path().string();
     ++(isThere ? report_.alreadyThere : report_.written);
     if (file.mayShowText) withText_.insert(series);
     if (file.mayShowFace) withFaces_.insert(series);
@@ -111,9 +134,9 @@ class Copies {
     const std::lock_guard lock(mutex_);
     return targets_.insert(target).second;
   }
-  void compareLater(const std::string& path, const std::string& target, const DeidentifiedFile& file) {
+  void compareLater(Later file) {
     const std::lock_guard lock(mutex_);
-    later_.push_back({path, target, file});
+    later_.push_back(std::move(file));
   }
   void leaveOut(const std::string& path, const std::string& reason) {
     const std::lock_guard lock(mutex_);
@@ -123,11 +146,6 @@ class Copies {
       report_.leftOut.push_back({path, reason});
   }
 
-  struct Later {
-    std::string path, target;
-    DeidentifiedFile file;
-  };
-
   const std::string folder_;
   const Deidentification& how_;
   const CancelToken& cancel_;
@@ -135,6 +153,7 @@ class Copies {
   Status problem_;  // why the folder cannot be written
   DeidentifyReport report_;
   std::vector<Later> later_;
+  std::map<std::string, std::string> others_;  // copies that were there already, and the files that differ
   std::set<std::string> targets_, withText_, withFaces_, withoutSuv_, withoutMosaic_, faceless_;
   std::set<std::string> done_;  // files whose copies have other pixels
 };

@@ -7,7 +7,7 @@ namespace volumen {
 
 namespace {
 
-// `whole` are looked for as they are: patient ID, other IDs, accession number, institution and station.
+// `whole` are looked for as one: patient ID, other IDs, accession number, institution and station.
 // `names` are the names of the patient, the mother, physicians and operators.
 constexpr std::uint32_t whole[] = {0x00100020, 0x00101000, 0x00080050, 0x00080080, 0x00081010};
 constexpr std::uint32_t names[] = {0x00100010, 0x00101001, 0x00101005, 0x00101060, 0x00080090,
@@ -43,6 +43,12 @@ bool isNameIn(const FoldedText& text, const QString& name, bool isInWords, bool 
   return false;
 }
 
+bool isIdIn(const FoldedText& text, const QString& id, bool isInWords) {
+  for (qsizetype at = text.letters().indexOf(id); at >= 0; at = text.letters().indexOf(id, at + 1))
+    if (isInWords || (text.isBoundary(at) && text.isBoundary(at + id.size()))) return true;
+  return false;
+}
+
 }  // namespace
 
 IdentifyingTexts::IdentifyingTexts(const dicom::DataSet& data, const ConfidentialityProfile& profile) {
@@ -52,11 +58,22 @@ IdentifyingTexts::IdentifyingTexts(const dicom::DataSet& data, const Confidentia
                  : QString::fromStdString(data.utf8(tag, data.root())).split(QLatin1Char('\\'));
   };
   for (const std::uint32_t tag : whole)
-    for (const QString& value : valuesOf(tag))
-      if (value.trimmed().size() >= leastLetters) texts_.push_back(value.trimmed().toCaseFolded());
+    for (const QString& value : valuesOf(tag)) addId(value.trimmed());
   for (const std::uint32_t tag : names)
     for (const QString& value : valuesOf(tag))
       for (const QString& group : value.split(QLatin1Char('='))) addName(group);
+}
+
+void IdentifyingTexts::addId(const QString& id) {
+  if (id.size() < leastLetters) return;
+  texts_.push_back(id.toCaseFolded());
+  Name folded{FoldedText(id, Umlauts::spelled).letters(), FoldedText(id, Umlauts::dropped).letters()};
+  const auto digits = std::ranges::count_if(folded.dropped, [](QChar c) { return c.isDigit(); });
+  const bool isLong = folded.dropped.size() >= leastInWords, isNumber = digits == folded.dropped.size();
+  // Few digits with signs between them could be any number.
+  if (folded.dropped.size() < leastLetters || (isNumber && !isLong)) return;
+  folded.isInWords = isLong && digits > 0 && !isNumber;
+  ids_.push_back(folded);
 }
 
 void IdentifyingTexts::addName(const QString& name) {
@@ -99,10 +116,13 @@ bool IdentifyingTexts::isIn(const std::string& text) const {
   const QString in = QString::fromStdString(text), inLowerCase = in.toCaseFolded();
   if (std::ranges::any_of(texts_, [&](const QString& one) { return inLowerCase.contains(one); })) return true;
   const FoldedText spelled(in, Umlauts::spelled), dropped(in, Umlauts::dropped);
-  return std::ranges::any_of(names_, [&](const Name& name) {
-    return isNameIn(spelled, name.spelled, name.isInWords, name.isParted) ||
-           isNameIn(dropped, name.dropped, name.isInWords, name.isParted);
+  const bool hasId = std::ranges::any_of(ids_, [&](const Name& id) {
+    return isIdIn(spelled, id.spelled, id.isInWords) || isIdIn(dropped, id.dropped, id.isInWords);
   });
+  return hasId || std::ranges::any_of(names_, [&](const Name& name) {
+           return isNameIn(spelled, name.spelled, name.isInWords, name.isParted) ||
+                  isNameIn(dropped, name.dropped, name.isInWords, name.isParted);
+         });
 }
 
 }  // namespace volumen

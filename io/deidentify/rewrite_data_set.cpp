@@ -5,8 +5,8 @@
 #include <dcmtk/dcmdata/dcdict.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <set>
 
 #include "io/deidentify/dates.h"
 #include "io/deidentify/descriptor_words.h"
@@ -79,11 +79,10 @@ bool isTextVr(std::uint16_t vr) {
 }
 
 // Returns true if programs need value `n` of a code to read the object: character set, kind of image,
-// modality, pixel format, kind of a content item.
+// modality, photometric interpretation, kind of a content item.
 bool isOfFormat(std::uint32_t tag, int n) {
-  constexpr std::uint32_t codes[] = {0x00080005, 0x00080060, 0x0040a010, 0x0040a040, 0x0040a050};
-  return tag >> 16 == 0x0028 || (tag == imageType && n < 2) ||
-         std::ranges::find(codes, tag) != std::end(codes);
+  constexpr std::uint32_t codes[] = {0x00080005, 0x00080060, 0x00280004, 0x0040a010, 0x0040a040, 0x0040a050};
+  return (tag == imageType && n < 2) || std::ranges::find(codes, tag) != std::end(codes);
 }
 
 bool isDateVr(std::uint16_t vr) { return vr == vrOf('D', 'A') || vr == vrOf('D', 'T'); }
@@ -116,19 +115,31 @@ class Rewrite {
   };
 
   void addScope(DataSet::Scope scope, Encoding encoding, Place place) {
-    const std::set<std::uint32_t> privates =
-        retained_.privates ? safePrivateElements(data_, scope) : std::set<std::uint32_t>();
+    const auto privates =
+        retained_.privates ? safePrivateElements(data_, scope) : std::map<std::uint32_t, std::uint16_t>();
     for (std::uint32_t n = scope.begin; n < scope.end; n = elements_[n].end) {
       const Element& e = elements_[n];
       if (place.isRoot) addStatementBefore(e.tag, encoding);
       const bool isPrivate = e.tag >> 16 & 1, isGroupLength = (e.tag & 0xffff) == 0;
       if (isGroupLength || (place.isRoot && isOfStatement(e.tag))) continue;
       if (isPrivate) {
-        if (privates.contains(n)) copy(e, encoding);
+        if (const auto safe = privates.find(n); safe != privates.end())
+          addPrivate(e, safe->second, scope, encoding);
       } else {
         addElement(n, scope, encoding, place);
       }
     }
+  }
+
+  // Bytes whose VR the file does not say may be text.
+  void addPrivate(const Element& e, std::uint16_t listed, DataSet::Scope scope, Encoding encoding) {
+    const bool isCreator = (e.tag & 0xffff) <= 0xff;
+    if (isCreator) return copy(e, encoding);
+    const std::uint16_t vr = vrOfPrivate(e, listed);
+    const bool isText = vr == codeVr || isTextVr(vr),
+               isDecimal = vr == vrOf('D', 'S') || vr == vrOf('I', 'S');
+    if (!isText && !isDecimal && vr != e.vr && identifying_.isIn(data_.utf8(e.tag, scope))) return;
+    addValue(e, vr, scope, encoding, ProfileAction::keep);
   }
 
   void addElement(std::uint32_t n, DataSet::Scope scope, Encoding encoding, Place place) {

@@ -105,7 +105,7 @@ std::string inOneLine(const std::string& text) {
   std::size_t characters = 0;
   for (const char c : text) {
     characters += (static_cast<unsigned char>(c) & 0xc0) != 0x80;
-    if (characters > longest) break;
+    if (characters > longest) return line.substr(0, line.find_last_not_of(" ,") + 1);
     line += c == '\\' || static_cast<unsigned char>(c) < 0x20 || c == 0x7f ? ' ' : c;
   }
   return line;

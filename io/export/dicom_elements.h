@@ -33,7 +33,7 @@ std::string decimal(double value);
 std::string decimals(std::initializer_list<double> values);
 
 /// Returns a text as one line of at most 64 characters (VR LO); a backslash, which would separate two values,
-/// becomes a blank.
+/// becomes a blank. What is cut off takes blanks and commas before it along.
 std::string inOneLine(const std::string& text);
 
 /// Returns the value of a top-level element of the list, or an empty string if it is missing.

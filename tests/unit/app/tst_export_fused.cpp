@@ -12,6 +12,7 @@
 #include "tests/fixtures/program.h"
 #include "tests/unit/app/export_case.h"
 #include "tests/unit/app/series_case.h"
+#include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 #include "viewer/slice/colour_map.h"
 
@@ -47,6 +48,8 @@ class TestExportFused : public QObject {
   void slicesAreThoseOfSlice_data();
   void slicesAreThoseOfSlice();
   void theyLieInTheStudyBelow();
+  void seriesWithoutDescriptionAreNamed_data();
+  void seriesWithoutDescriptionAreNamed();
   void oneIsASecondaryCapture();
   void facesOfBothCount_data();
   void facesOfBothCount();
@@ -205,6 +208,55 @@ void TestExportFused::theyLieInTheStudyBelow() {
   QCOMPARE(std::size_t(ofBelow + ofAbove), middle.sources().size());
   NEED_DCIODVFY();
   QCOMPARE(newErrors(files[files.size() / 2], ctFile.toStdString()), QStringList());
+}
+
+void TestExportFused::seriesWithoutDescriptionAreNamed_data() {
+  QTest::addColumn<QByteArray>("described");  // the series above
+  QTest::addColumn<QByteArray>("description");
+  QTest::addColumn<QByteArray>("derivation");
+  QTest::newRow("by modality and number")
+      << QByteArray() << QByteArray("Axial, every 2 mm, fused with CT (3)") << QByteArray("over it CT (3) (");
+  QTest::newRow("by its description")
+      << QByteArray("Thin") << QByteArray("Axial, every 2 mm, fused with Thin")
+      << QByteArray("over it Thin (");
+  QTest::newRow("cut before a comma")
+      << QByteArray("A description of some more words, and more")
+      << QByteArray("Axial, every 2 mm, fused with A description of some more words")
+      << QByteArray("over it A description of some more words, and more (");
+}
+
+void TestExportFused::seriesWithoutDescriptionAreNamed() {
+  QFETCH(QByteArray, described);
+  const QTemporaryDir folder;
+  const auto write = [&](const char* name, const char* number, const QByteArray& description) {
+    QDir(folder.path()).mkdir(QString::fromLatin1(name));
+    DicomPicture picture;
+    picture.seriesUid = std::string("1.2.3.4.5.") + number;
+    picture.pixels = {0, 100, 200, 300, 400, 500, 600, 700, 800, 900, 1000, 1100};
+    picture.edit = [&](DcmDataset& data) {
+      data.putAndInsertString(DCM_FrameOfReferenceUID, "1.2.3.9");
+      data.putAndInsertString(DCM_SeriesNumber, number);
+      if (!description.isEmpty()) data.putAndInsertString(DCM_SeriesDescription, description.constData());
+    };
+    for (int n = 0; n < 4; ++n) {
+      picture.instance = n + 1;
+      picture.position.z = 2 * n;
+      writeDicom(folder.filePath(QStringLiteral("%1/%2.dcm").arg(QLatin1String(name)).arg(n)).toStdString(),
+                 picture);
+    }
+  };
+  write("under", "2", {});
+  write("over", "3", described);
+  const QString out = folder.filePath(QStringLiteral("out"));
+  const Outcome a = runProgram({QStringLiteral("export"), folder.filePath(QStringLiteral("under")),
+                                QStringLiteral("--as"), QStringLiteral("series"), QStringLiteral("--overlay"),
+                                folder.filePath(QStringLiteral("over")), QStringLiteral("-o"), out});
+  QVERIFY2(a.status == 0, a.err);
+  StoredFile made(storedFilesIn(out)[0]);
+  QTEST(QByteArray::fromStdString(made.said(DCM_SeriesDescription)), "description");
+  const QByteArray how = QByteArray::fromStdString(made.said(DCM_DerivationDescription));
+  QFETCH(QByteArray, derivation);
+  QVERIFY2(how.contains("Axial, every 2 mm of CT (2), resampled") && how.contains(derivation), how);
 }
 
 void TestExportFused::oneIsASecondaryCapture() {

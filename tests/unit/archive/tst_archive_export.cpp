@@ -196,6 +196,9 @@ void TestArchiveExport::wrongNamesAreRefusedAtOnce_data() {
       << QStringLiteral("--as series -o archive:other") << 1 << QByteArray("There is no archive \"other\"");
   QTest::newRow("an unknown archive for copies")
       << QStringLiteral("--deidentify -o archive:other") << 1 << QByteArray("There is no archive \"other\"");
+  QTest::newRow("an unknown archive for a format without identity")
+      << QStringLiteral("--as series --deidentify -o archive:other") << 1
+      << QByteArray("There is no archive \"other\"");
   QTest::newRow("a study") << QStringLiteral("--as series -o archive:to/1.2") << 1
                            << QByteArray("There is no archive \"to/1.2\"");
   QTest::newRow("surfaces") << QStringLiteral("--as stl --segments none -o archive:to") << 2

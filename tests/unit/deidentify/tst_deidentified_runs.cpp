@@ -20,6 +20,10 @@ class TestDeidentifiedRuns : public QObject {
  private Q_SLOTS:
   void attributesBesideTheTableLoseIdentity_data();
   void attributesBesideTheTableLoseIdentity();
+  void keptPrivateAttributesLoseIdentity_data();
+  void keptPrivateAttributesLoseIdentity();
+  void secondRunsOfOneUidAgree_data();
+  void secondRunsOfOneUidAgree();
   void aLostMosaicIsTold();
   void noEmptyFolderIsLeft();
   void originalsAreNoTarget();
@@ -44,6 +48,9 @@ void TestDeidentifiedRuns::attributesBesideTheTableLoseIdentity_data() {
   row("a name over two codes", 0x00080008, "CS", "ORIGINAL\\PRIMARY\\MUSTER\\MANN",
       "ORIGINAL\\PRIMARY\\DEIDENTIFIED\\DEIDENTIFIED");
   row("a code without a name", 0x00180015, "CS", "HEAD", "HEAD");
+  row("a code beside the pixels", 0x00280051, "CS", "MUSTERMANN\\ATTN", "DEIDENTIFIED\\ATTN");
+  row("an ID in a code beside the pixels", 0x00282114, "CS", "PID77X", "DEIDENTIFIED");
+  row("an ID over two values", 0x00281055, "LO", "PID\\77X", "DEIDENTIFIED");
   row("a short whole name", 0x00081090, "LO", "of ERIKA mustermann", "DEIDENTIFIED");
   row("the UID of a source", 0x00081167, "UI", "1.2.3.8\\1.2.3.9",
       exported_.uid("1.2.3.8") + "\\" + exported_.uid("1.2.3.9"));
@@ -59,6 +66,7 @@ void TestDeidentifiedRuns::attributesBesideTheTableLoseIdentity() {
   DicomPicture picture;
   picture.edit = [&](DcmDataset& data) {
     data.putAndInsertString(DCM_PatientName, "Mustermann^Erika");
+    data.putAndInsertString(DCM_PatientID, "PID-77-X");
     data.putAndInsertString(attribute, value.constData());
   };
   const QString path = exported_.pathOf("in.dcm");
@@ -67,6 +75,98 @@ void TestDeidentifiedRuns::attributesBesideTheTableLoseIdentity() {
   const auto copy = exported_.only();
   QVERIFY(copy);
   QTEST(QByteArray::fromStdString(textOf(*copy->getDataset(), attribute)), "after");
+}
+
+void TestDeidentifiedRuns::keptPrivateAttributesLoseIdentity_data() {
+  QTest::addColumn<quint32>("tag");
+  QTest::addColumn<QByteArray>("vr");
+  QTest::addColumn<QByteArray>("value");
+  QTest::addColumn<QByteArray>("after");  // empty: the attribute is gone
+  const auto row = [](const char* name, quint32 tag, const char* vr, const char* value, const char* after) {
+    QTest::newRow(name) << tag << QByteArray(vr) << QByteArray(value) << QByteArray(after);
+  };
+  row("a code with a name", 0x0019100d, "CS", "MUSTERMANN", "DEIDENTIFIED");
+  row("codes with a name", 0x20011004, "CS", "ERIKA\\MUSTERMANN", "DEIDENTIFIED\\DEIDENTIFIED");
+  row("a code without a name", 0x0019100d, "CS", "DIRECTIONAL", "DIRECTIONAL");
+  row("a code of VR UN", 0x0019100d, "UN", "MUSTERMANN", "DEIDENTIFIED");
+  row("a text with a name", 0x00431027, "SH", "of Mustermann", "DEIDENTIFIED");
+  row("a number", 0x0019100c, "IS", "800", "800");
+  row("a number of VR UN", 0x0019100c, "UN", "80", "38\\30");
+  row("no number", 0x70531000, "DS", "770042ZZ", "");
+  row("no number among others", 0x0043106f, "DS", "7\\770042ZZ", "");
+  row("a text in place of a number", 0x0019100c, "LT", "770042ZZ", "");
+  row("a person in place of a number", 0x0019100c, "PN", "Mustermann^Erika", "");
+  row("a person in place of a code", 0x0019100d, "PN", "Schmidt^Eva", "");
+  row("bytes in place of a number", 0x0019100e, "OB", "Schmidts", "");
+  row("a name as long as numbers", 0x0019100e, "UN", "Mustermann Erika", "");
+  row("bytes that are no whole number", 0x0019100e, "UN", "Schmid", "");
+}
+
+void TestDeidentifiedRuns::keptPrivateAttributesLoseIdentity() {
+  QFETCH(quint32, tag);
+  QFETCH(QByteArray, vr);
+  QFETCH(QByteArray, value);
+  const DcmTag attribute(Uint16(tag >> 16), Uint16(tag & 0xffff), DcmVR(vr.constData()));
+  const bool isBytes = vr == "UN" || vr == "OB";
+  DicomPicture picture;
+  picture.edit = [&](DcmDataset& data) {
+    data.putAndInsertString(DCM_PatientName, "Mustermann^Erika");
+    for (const auto& [group, creator] :
+         {std::pair(Uint16(0x0019), "SIEMENS MR HEADER"), std::pair(Uint16(0x0043), "GEMS_PARM_01"),
+          std::pair(Uint16(0x2001), "Philips Imaging DD 001"),
+          std::pair(Uint16(0x7053), "Philips PET Private Group")})
+      data.putAndInsertString(DcmTag(group, 0x0010, EVR_LO), creator);
+    if (isBytes)
+      data.putAndInsertUint8Array(attribute, reinterpret_cast<const Uint8*>(value.constData()),
+                                  static_cast<unsigned long>(value.size()));
+    else
+      data.putAndInsertString(attribute, value.constData());
+  };
+  const QString path = exported_.pathOf("in.dcm");
+  writeDicom(path.toStdString(), picture);
+  QCOMPARE(exported_.run(path, {QStringLiteral("--keep"), QStringLiteral("private")}).status, 0);
+  const auto copy = exported_.only();
+  QVERIFY(copy);
+  QTEST(QByteArray::fromStdString(textOf(*copy->getDataset(), attribute)), "after");
+  QFETCH(QByteArray, after);
+  QCOMPARE(bool(copy->getDataset()->tagExists(attribute)), !after.isEmpty());
+}
+
+void TestDeidentifiedRuns::secondRunsOfOneUidAgree_data() {
+  QTest::addColumn<QString>("copied");
+  QTest::addColumn<QString>("leftOut");
+  const QString a = QStringLiteral("a.dcm"), b = QStringLiteral("b.dcm");
+  QTest::newRow("the first of two was copied") << a << b;
+  QTest::newRow("the second of two was copied") << b << a;
+}
+
+// Of two files with one UID that differ, the one whose copy is there stays the one that is copied.
+void TestDeidentifiedRuns::secondRunsOfOneUidAgree() {
+  QFETCH(QString, copied);
+  const QTemporaryDir source, target;
+  DicomPicture picture;
+  picture.edit = [](DcmDataset& data) { data.putAndInsertString(DCM_SOPInstanceUID, "1.2.3.4.5.1"); };
+  for (const char* name : {"a.dcm", "b.dcm"}) {
+    picture.pixels = {std::uint16_t(name[0])};
+    writeDicom(source.filePath(QString::fromLatin1(name)).toStdString(), picture);
+  }
+  const auto run = [&](const QString& path) {
+    return runProgram({QStringLiteral("export"), path, QStringLiteral("--deidentify"), QStringLiteral("-o"),
+                       target.filePath(QStringLiteral("out")), QStringLiteral("--key"),
+                       exported_.pathOf("key"), QStringLiteral("--json")});
+  };
+  QCOMPARE(run(source.filePath(copied)).status, 0);
+  const Outcome again = run(source.path());
+  QCOMPARE(again.status, 3);
+  const QJsonDocument report = QJsonDocument::fromJson(again.out);
+  QCOMPARE(report[QStringLiteral("alreadyThere")].toInt(), 1);
+  QCOMPARE(report[QStringLiteral("twice")].toInt(), 0);
+  QCOMPARE(report[QStringLiteral("leftOut")].toArray().size(), 1);
+  const QJsonValue left = report[QStringLiteral("leftOut")][0];
+  QFETCH(QString, leftOut);
+  QCOMPARE(left[QStringLiteral("path")].toString(), source.filePath(leftOut));
+  QCOMPARE(left[QStringLiteral("reason")].toString(),
+           QStringLiteral("another file with other contents has the same instance UID"));
 }
 
 void TestDeidentifiedRuns::aLostMosaicIsTold() {

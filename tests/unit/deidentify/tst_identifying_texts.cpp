@@ -1,4 +1,5 @@
-// Guards which texts count as holding a name: order, separators, case, accents, scripts and lengths.
+// Guards which texts count as holding a name: order, separators, case, accents, scripts and lengths;
+// and which count as holding an ID.
 #include "io/deidentify/identifying_texts.h"
 #include "tests/unit/suite.h"
 
@@ -9,6 +10,8 @@ class TestIdentifyingTexts : public QObject {
  private Q_SLOTS:
   void namesAreFound_data();
   void namesAreFound();
+  void identifiersAreFound_data();
+  void identifiersAreFound();
 };
 
 namespace {
@@ -20,6 +23,15 @@ QByteArray implicitElement(std::uint32_t tag, QByteArray value) {
   for (const int shift : {16, 24, 0, 8}) bytes += char(tag >> shift & 0xff);
   for (const int shift : {0, 8, 16, 24}) bytes += char(value.size() >> shift & 0xff);
   return bytes + value;
+}
+
+// Returns whether a text holds what the elements of a data set identify.
+bool isFoundIn(const QString& text, const QByteArray& bytes) {
+  const dicom::Bytes view(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
+                          std::size_t(bytes.size()));
+  const auto scan = dicom::scanDataSet(view, 0, view.size(), {false, false});
+  const ConfidentialityProfile profile({});
+  return scan && IdentifyingTexts(dicom::DataSet(view, scan->elements), profile).isIn(text.toStdString());
 }
 
 }  // namespace
@@ -75,13 +87,39 @@ void TestIdentifyingTexts::namesAreFound() {
   QFETCH(QByteArray, name);
   QFETCH(QString, text);
   const QByteArray bytes = implicitElement(0x00080005, characters) + implicitElement(0x00100010, name);
-  const dicom::Bytes view(reinterpret_cast<const std::uint8_t*>(bytes.constData()),
-                          std::size_t(bytes.size()));
-  const auto scan = dicom::scanDataSet(view, 0, view.size(), {false, false});
-  QVERIFY(scan);
-  const dicom::DataSet data(view, scan->elements);
-  const ConfidentialityProfile profile({});
-  QTEST(IdentifyingTexts(data, profile).isIn(text.toStdString()), "isFound");
+  QTEST(isFoundIn(text, bytes), "isFound");
+}
+
+void TestIdentifyingTexts::identifiersAreFound_data() {
+  QTest::addColumn<QByteArray>("id");
+  QTest::addColumn<QString>("text");
+  QTest::addColumn<bool>("isFound");
+  const auto row = [](const char* title, const char* id, const char* text, bool isFound = true) {
+    QTest::newRow(title) << QByteArray(id) << QString::fromUtf8(text) << isFound;
+  };
+  row("as written", "770042ZZ", "id 770042zz");
+  row("as written in a longer word", "AB12", "SLAB123");
+  row("over two values", "770042ZZ", "7700\\42ZZ");
+  row("with a hyphen", "770042ZZ", "of 7700-42ZZ, seen");
+  row("with a blank", "770042ZZ", "7700 42ZZ");
+  row("without its hyphens", "PID-77-X", "PID77X");
+  row("with other signs", "PID-77-X", "PID\\77\\X");
+  row("with signs in a longer word", "PID-77-X", "copyPID.77.Xa");
+  row("short, with signs", "AB12", "AB-12");
+  row("short, with signs in a longer word", "AB12", "SLAB-12", false);
+  row("letters with signs", "STATION", "STA-TION");
+  row("letters over words", "ANTHEM", "plant hemisphere", false);
+  row("six digits with a sign", "770042", "7700-42");
+  row("six digits with signs in a longer number", "770042", "1770-042", false);
+  row("five digits with a sign", "77004", "77.004", false);
+  row("four digits of a date", "0102", "2001-02-03", false);
+  row("three characters", "A12", "A12", false);
+}
+
+void TestIdentifyingTexts::identifiersAreFound() {
+  QFETCH(QByteArray, id);
+  QFETCH(QString, text);
+  QTEST(isFoundIn(text, implicitElement(0x00100020, id)), "isFound");
 }
 
 VOLUMEN_TEST(TestIdentifyingTexts);
