@@ -97,11 +97,9 @@ void sweepFolders(const std::vector<std::vector<Piece>>& groups) {
   for (const std::string& folder : folders) sweepAside(folder);
 }
 
-// Removes what the process of a piece left that was ended by an interruption. sweepAside() looks once at each
-// spelling of a folder.
+// Removes what the process of a piece left that was ended by an interruption.
 void sweepAfterwards(const Piece& piece) {
-  for (const std::string& output : piece.outputs)
-    sweepAside((std::filesystem::path(folderOfOutput(output)) / ".").string());
+  for (const std::string& output : piece.outputs) sweepAsideAgain(folderOfOutput(output));
 }
 
 class ListRun {
