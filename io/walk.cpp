@@ -8,6 +8,8 @@
 #include <filesystem>
 #include <set>
 
+#include "io/files/aside.h"
+
 namespace volumen {
 namespace {
 
@@ -26,12 +28,12 @@ const char* kindOf(const struct stat& s) {
   return S_ISSOCK(s.st_mode) ? "a socket" : "a device";
 }
 
-// Returns the entries of a folder, sorted by name.
+// Returns the entries of a folder, sorted by name, but not what this program has not completed there.
 std::vector<std::string> entries(const std::string& folder, std::error_code& error) {
   std::vector<std::string> paths;
   std::filesystem::directory_iterator it(folder, error);
   for (const std::filesystem::directory_iterator end; !error && it != end; it.increment(error))
-    paths.push_back(it->path().string());
+    if (!isAsideName(it->path().filename().string())) paths.push_back(it->path().string());
   std::sort(paths.begin(), paths.end());
   return paths;
 }

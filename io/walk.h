@@ -25,11 +25,12 @@ enum class Links { files, inside };  ///< files: only links to files; inside: no
 
 /// Finds all regular files below `path` (or itself). Symbolic links within it are followed; those out of it
 /// as `links` allows. Loops end: each folder and file counts once, by device and inode. FIFOs, sockets and
-/// devices are unreadable. The Error: the path does not exist, or is neither a file nor a folder.
+/// devices are unreadable. What this program writes and has not completed (isAsideName()) is left out. The
+/// Error: the path does not exist, or is neither a file nor a folder.
 Result<FoundFiles> findFiles(const std::string& path, const CancelToken& cancel, Links links = Links::files);
 
 /// Returns the regular files directly in these folders, each once; links are followed. Unreadable folders are
-/// empty.
+/// empty, and incomplete files are left out, as findFiles() does.
 std::vector<std::string> filesDirectlyIn(const std::vector<std::string>& folders);
 
 }  // namespace volumen

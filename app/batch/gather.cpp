@@ -1,7 +1,6 @@
 #include "app/batch/gather.h"
 
 #include <algorithm>
-#include <fstream>
 #include <optional>
 
 #include "io/files/output_file.h"
@@ -96,13 +95,6 @@ class Gathered {
 };
 
 }  // namespace
-
-bool isGatheredTable(const std::string& file) {
-  constexpr std::string_view begin = "line,path,file";
-  std::string read(begin.size(), '\0');
-  std::ifstream in(file, std::ios::binary);
-  return in.read(read.data(), std::streamsize(read.size())) && read == begin;
-}
 
 Status gather(const std::vector<Piece>& pieces, const std::string& output) {
   Gathered table;

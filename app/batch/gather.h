@@ -9,7 +9,4 @@ namespace volumen {
 /// occur. Returns an Error if a file is missing or is no table, or if the list has none.
 Status gather(const std::vector<Piece>& pieces, const std::string& output);
 
-/// Returns true if a file begins like a table of gather().
-bool isGatheredTable(const std::string& file);
-
 }  // namespace volumen

@@ -1,13 +1,11 @@
 #include "app/batch/list_names.h"
 
-#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <utility>
 
-#include "app/batch/gather.h"
-#include "app/batch/stamps.h"
 #include "app/batch/written_files.h"
+#include "io/dicom/directory.h"
 #include "io/paths/open_path.h"
 
 namespace volumen {
@@ -15,6 +13,8 @@ namespace volumen {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr const char* otherName = ": choose another name.";
 
 // Returns the first of a place and the folders around it that a map has.
 template <class Map>
@@ -38,7 +38,7 @@ class ListNames {
         if (path.starts_with("index:"))
           studies_.emplace(path, piece.line);
         else if (!isStudyName(path))
-          read_.emplace(placeOf_(path), piece.line);
+          addRead(path, piece.line);
       }
     for (const auto& [place, line] : read_)
       for (fs::path folder = fs::path(place).parent_path(); folder.has_relative_path();
@@ -50,36 +50,24 @@ class ListNames {
   Status addWritten() {
     for (const Piece& piece : pieces_) {
       if (cancel_.cancelled()) return interrupted();
-      for (const WrittenName& written : writtenNames(piece))
-        if (Status s = add(written.name, piece.line); !s) return s;
-      if (Status s = add(stampFile(piece), piece.line); !s) return s;
+      for (const std::string& name : writtenNames(piece))
+        if (Status s = add(name, piece.line); !s) return s;
       surfaces_.add(piece, placeOf_);
     }
     for (const Piece& piece : pieces_)
-      for (const WrittenName& written : writtenNames(piece)) {
-        const std::string why = within(written.name) + asSurface(written.name, piece.line);
-        if (!why.empty()) return wrong(piece.line, "it writes " + written.name + why);
+      for (const std::string& name : writtenNames(piece)) {
+        const std::string why = within(name) + asSurface(name, piece.line);
+        if (!why.empty()) return wrong(piece.line, name + why + otherName);
       }
     return {};
   }
 
-  // The Error: a file that is read would be replaced.
+  // The Error: a file that is read would be replaced, or a folder that is read would get another one.
   Status checkRead() {
     for (const Piece& piece : pieces_) {
       if (cancel_.cancelled()) return interrupted();
-      for (const WrittenName& written : writtenNames(piece)) {
-        const auto isOurs = [&] {
-          return isStamped(piece, written.name) || isStamped(piece, written.output);
-        };
-        if (const std::string why = replaced(written.name, isOurs); !why.empty())
-          return wrong(piece.line, "it writes " + written.name + why);
-      }
-      for (const std::string& file : surfacesThere(piece))
-        if (const std::string why = replaced(file, [&] { return isStamped(piece, file); }); !why.empty())
-          return wrong(piece.line, "it may write " + file + why);
-      const std::string stamp = stampFile(piece);
-      if (const std::string why = replaced(stamp, [] { return true; }); !why.empty())
-        return wrong(piece.line, "its stamp is " + stamp + why);
+      for (const std::string& name : writtenNames(piece))
+        if (const std::string why = disturbed(name); !why.empty()) return wrong(piece.line, name + why);
     }
     return {};
   }
@@ -89,22 +77,28 @@ class ListNames {
     std::string why;
     if (written != written_.end()) why = ", which line " + std::to_string(written->second) + " writes";
     if (why.empty()) why = within(table);
-    if (why.empty()) why = replaced(table, [&] { return isGatheredTable(table); });
-    return why.empty() ? Status() : Error{"--gather " + table + why + ": choose another name."};
+    why = why.empty() ? disturbed(table) : why + otherName;
+    return why.empty() ? Status() : Error{"--gather " + table + why};
   }
 
  private:
   static Error interrupted() { return Error{"Interrupted; nothing was done."}; }
 
-  static Error wrong(int line, const std::string& why) {
-    return Error{"Line " + std::to_string(line) + " of the list: " + why + ": choose another name."};
+  static Error wrong(int line, const std::string& what) {
+    return Error{"Line " + std::to_string(line) + " of the list: it writes " + what};
+  }
+
+  // A DICOMDIR stands for its folder.
+  void addRead(const std::string& path, int line) {
+    const std::string place = placeOf_(path);
+    if (read_.emplace(place, line).second && dicom::isDirectoryFile(place))
+      read_.emplace(fs::path(place).parent_path().string(), line);
   }
 
   Status add(const std::string& name, int line) {
     const auto [other, isNew] = written_.emplace(placeOf_(name), line);
     if (isNew) return {};
-    return Error{"Line " + std::to_string(line) + " of the list: it writes " + name + ", as line " +
-                 std::to_string(other->second) + " does."};
+    return wrong(line, name + ", as line " + std::to_string(other->second) + " does.");
   }
 
   // Returns which line writes the folder that a name lies in; empty: none.
@@ -120,23 +114,21 @@ class ListNames {
     return other == 0 ? "" : ", as line " + std::to_string(other) + " may do, a file for each segment";
   }
 
-  // Returns the files in a folder that is read which surfaces of a piece may replace.
-  std::vector<std::string> surfacesThere(const Piece& piece) {
-    std::vector<std::string> files;
-    const fs::path folder = fs::path(piece.outputs[0]).parent_path();
-    SurfacePlaces own;
-    own.add(piece, placeOf_);
-    if (!surfaceNames(piece) || around(read_, placeOf_(piece.outputs[0])) == read_.end()) return files;
-    std::error_code ignored;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder.empty() ? "." : folder, ignored))
-      if (own.lineOf(placeOf_(entry.path().string())) > 0) files.push_back(entry.path().string());
-    return files;
+  // Returns which file a name would replace, or which folder it would add to, and what to do; empty: none.
+  std::string disturbed(const std::string& name) {
+    const std::string place = placeOf_(name);
+    if (const std::string why = replaced(name, place); !why.empty()) return why + otherName;
+    const fs::path folder = fs::path(name).parent_path();
+    for (const std::string& at :
+         {fs::path(place).parent_path().string(), placeOf_(folder.empty() ? "." : folder.string())})
+      if (const auto found = around(read_, at); found != read_.end())
+        return ", in the folder that line " + std::to_string(found->second) +
+               " reads: choose another folder.";
+    return "";
   }
 
   // Returns which file a name would replace; empty: none.
-  template <class IsOurs>
-  std::string replaced(const std::string& name, const IsOurs& isOurs) {
-    const std::string place = placeOf_(name);
+  std::string replaced(const std::string& name, const std::string& place) {
     if (place == list_) return ", which is the list itself";
     const auto said = [](int line) { return ", which line " + std::to_string(line) + " reads"; };
     if (const auto found = read_.find(place); found != read_.end()) return said(found->second);
@@ -145,9 +137,6 @@ class ListNames {
     if (list_.starts_with(place + '/')) return ", the folder of the list";
     std::error_code ignored;
     if (!fs::exists(name, ignored)) return "";
-    if (const auto found = around(read_, place); found != read_.end())
-      return isOurs() ? "" : said(found->second);
-    if ((studies_.empty() && ofStudies_.empty()) || isOurs()) return "";
     const auto& files = filesOfStudies();
     const auto found = files.find(place);
     return found == files.end() ? "" : said(found->second);

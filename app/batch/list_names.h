@@ -9,8 +9,8 @@
 namespace volumen {
 
 /// Checks that no output of a list (including files beside it and stamps) is also the list, an input of any
-/// piece, or an output of another piece. An input folder may receive new files, and outputs of an earlier
-/// run may be replaced. The same holds for the file `table` of --gather. `list` and `table` are empty if
+/// piece, or an output of another piece, and that none lies in a folder that a piece reads. The same holds
+/// for the file `table` of --gather. `list` and `table` are empty if
 /// there is no such file. The Error names the line and the file, or says that the check was cancelled.
 Status checkNames(const std::vector<Piece>& pieces, const std::string& list, const std::string& table,
                   const CancelToken& cancel);

@@ -22,6 +22,7 @@
 #include "app/command_line.h"
 #include "app/open_volume.h"
 #include "io/worker/worker.h"
+#include "viewer/volume/available_memory.h"
 
 namespace volumen {
 
@@ -79,8 +80,9 @@ void limitMemory(std::uint64_t mostBytes) {
   rlimit limit{};
   if (mostBytes == 0 || getrlimit(RLIMIT_DATA, &limit) != 0) return;
   malloc_trim(0);
-  limit.rlim_cur = std::min<rlim_t>(limit.rlim_max, bytesOfProcess("VmData:") + mostBytes);
-  setrlimit(RLIMIT_DATA, &limit);
+  const rlim_t asked = bytesOfProcess("VmData:") + mostBytes;
+  limit.rlim_cur = std::min(limit.rlim_max, asked);
+  if (setrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur == asked) nameDataLimit("--max-memory");
 }
 
 [[noreturn]] void doPieces(const std::vector<Piece>& pieces, int socket, std::uint64_t mostBytes,

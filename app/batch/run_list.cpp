@@ -97,21 +97,18 @@ void sweepFolders(const std::vector<std::vector<Piece>>& groups) {
   for (const std::string& folder : folders) sweepAside(folder);
 }
 
-// Removes what the process of a piece left that was ended by an interruption. sweepAside() looks once at each
-// spelling of a folder.
+// Removes what the process of a piece left that was ended by an interruption.
 void sweepAfterwards(const Piece& piece) {
-  for (const std::string& output : piece.outputs)
-    sweepAside((std::filesystem::path(folderOfOutput(output)) / ".").string());
+  for (const std::string& output : piece.outputs) sweepAsideAgain(folderOfOutput(output));
 }
 
 class ListRun {
  public:
-  ListRun(const std::vector<Piece>& list, std::size_t count, const PieceLimits& limits,
-          const CancelToken& cancel)
+  ListRun(std::size_t count, const PieceLimits& limits, const CancelToken& cancel)
       : count_(count),
         limits_(limits),
         cancel_(cancel),
-        stamps_(list, limits.bytes, cancel),
+        stamps_(limits.bytes, cancel),
         progress_(terminalProgress()) {}
 
   void run(const std::vector<Piece>& group) {
@@ -227,12 +224,12 @@ class ListRun {
 
 }  // namespace
 
-ListResult runList(const std::vector<Piece>& list, const std::vector<std::vector<Piece>>& groups,
-                   const PieceLimits& limits, const CancelToken& cancel) {
+ListResult runList(const std::vector<std::vector<Piece>>& groups, const PieceLimits& limits,
+                   const CancelToken& cancel) {
   std::size_t count = 0;
   for (const std::vector<Piece>& group : groups) count += group.size();
   sweepFolders(groups);
-  ListRun run(list, count, limits, cancel);
+  ListRun run(count, limits, cancel);
   for (const std::vector<Piece>& group : groups)
     if (!cancel.cancelled()) run.run(group);
   endTerminalProgress();

@@ -18,7 +18,7 @@ struct ListResult {
 /// memory, warnings, and the error that a picture states. A piece that is done (isDone()) is skipped. What
 /// killed programs left in folders of outputs is removed. What happens to one piece costs its line alone.
 /// There must be no threads and no workers. The limits are those of each piece.
-ListResult runList(const std::vector<Piece>& list, const std::vector<std::vector<Piece>>& groups,
-                   const PieceLimits& limits, const CancelToken& cancel);
+ListResult runList(const std::vector<std::vector<Piece>>& groups, const PieceLimits& limits,
+                   const CancelToken& cancel);
 
 }  // namespace volumen

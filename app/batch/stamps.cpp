@@ -33,11 +33,6 @@ std::string lineOf(const fs::path& file) {
                  : file.string() + '\n' + std::to_string(bytes) + ' ' + std::to_string(time) + '\n';
 }
 
-// Returns whether a file below a path is not complete yet, or lies in a folder that is not (asideName).
-bool isTemporary(const std::string& file, const std::string& path) {
-  return file.find("/.volumen-", path.size() - 1) != file.npos;
-}
-
 // Returns the bytes of a file, or of each file in a folder by its name there; null if there is none.
 StampJson bytesOf(const std::string& name) {
   std::error_code problem;
@@ -110,23 +105,14 @@ const std::string& Stamps::filesAt(const std::string& path) {
   QCryptographicHash hash(QCryptographicHash::Sha256);
   if (auto files = filesOfPath(path, {}, cancel_); files) {
     std::ranges::sort(*files);
-    for (const std::string& file : *files)
-      if (!isTemporary(file, path) && !written_.has(file))
-        hash.addData(QByteArray::fromStdString(lineOf(file)));
+    for (const std::string& file : *files) hash.addData(QByteArray::fromStdString(lineOf(file)));
   }
   return known->second = hash.result().toHex().toStdString();
 }
 
 std::string Stamps::of(const Piece& piece) {
   std::vector<std::string> read = {presetFolder()};
-  for (const std::string& word : piece.words) {
-    const std::string value =
-        word.starts_with("--") ? word.substr(std::min(word.find('='), word.size() - 1) + 1) : word;
-    const bool isWritten = std::ranges::any_of(
-        piece.outputs, [&](const std::string& output) { return bareName(output) == bareName(value); });
-    std::error_code ignored;
-    if (!isWritten && (isStudyName(value) || fs::exists(value, ignored))) read.push_back(value);
-  }
+  read.insert(read.end(), piece.reads.begin(), piece.reads.end());
   if (std::ranges::find(piece.words, "--deidentify") != piece.words.end() && userPseudonymKey())
     read.push_back(userPseudonymKeyFile());
   StampJson words = StampJson::array(), files = StampJson::array();

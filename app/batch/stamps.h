@@ -6,7 +6,6 @@
 #include <vector>
 
 #include "app/batch/piece.h"
-#include "app/batch/written_files.h"
 #include "viewer/volume/cancel.h"
 
 namespace volumen {
@@ -16,13 +15,11 @@ std::string stampFile(const Piece& piece);
 
 /// Makes the stamps of pieces. A stamp identifies what an output was made from: the version of the program,
 /// the command line, and names, sizes and times of all files read. These include scenes, shapes and the
-/// user's presets, but not what the list itself writes into folders that are read. A study of an archive is
-/// identified only by its name. The memory limit `mostBytes` is part of the stamp, as it may reduce what is
-/// drawn.
+/// user's presets. A study of an archive is identified only by its name. The memory limit `mostBytes` is part
+/// of the stamp, as it may reduce what is drawn.
 class Stamps {
  public:
-  Stamps(const std::vector<Piece>& list, std::uint64_t mostBytes, const CancelToken& cancel)
-      : written_(list), mostBytes_(mostBytes), cancel_(cancel) {}
+  Stamps(std::uint64_t mostBytes, const CancelToken& cancel) : mostBytes_(mostBytes), cancel_(cancel) {}
 
   /// Returns the stamp of a piece, which does not depend on its outputs. The files at a path are listed only
   /// once.
@@ -31,7 +28,6 @@ class Stamps {
  private:
   const std::string& filesAt(const std::string& path);
 
-  WrittenFiles written_;
   std::uint64_t mostBytes_;
   CancelToken cancel_;
   std::map<std::string, std::string> known_;  // hashes of the files at a path, by path

@@ -72,17 +72,18 @@ std::optional<SurfaceNames> surfaceNames(const Piece& piece) {
   return SurfaceNames{output.substr(0, ending) + '-', output.substr(ending)};
 }
 
-std::vector<WrittenName> writtenNames(const Piece& piece) {
-  std::vector<WrittenName> names;
+std::vector<std::string> writtenNames(const Piece& piece) {
+  std::vector<std::string> names;
   const int pictures = turntableOf(piece);
   for (std::size_t n = 0; n < piece.outputs.size(); ++n) {
     const std::string output = bareName(piece.outputs[n]);
     const bool isTurn = n == 0 && pictures > 0 && output.find('.') != output.npos;
     for (int picture = 0; isTurn && picture < pictures; ++picture)
-      names.push_back({numberedName(output, picture), output});
-    if (!isTurn) names.push_back({output, output});
-    if (isLabelImage(piece, output)) names.push_back({labelTableOf(output), output});
+      names.push_back(numberedName(output, picture));
+    if (!isTurn) names.push_back(output);
+    if (isLabelImage(piece, output)) names.push_back(labelTableOf(output));
   }
+  names.push_back(stampFile(piece));
   return names;
 }
 
@@ -109,21 +110,6 @@ int SurfacePlaces::lineOf(const std::string& place, int besides) const {
       if (rest.ends_with(at->first.second) && at->second != besides) return at->second;
   }
   return 0;
-}
-
-WrittenFiles::WrittenFiles(const std::vector<Piece>& pieces) {
-  for (const Piece& piece : pieces) {
-    for (const WrittenName& written : writtenNames(piece)) places_.insert(placeOf_(written.name));
-    places_.insert(placeOf_(stampFile(piece)));
-    surfaces_.add(piece, placeOf_);
-  }
-}
-
-bool WrittenFiles::has(const std::string& file) {
-  fs::path place = placeOf_(file);
-  if (surfaces_.lineOf(place.string()) > 0) return true;
-  while (!places_.contains(place.string()) && place.has_relative_path()) place = place.parent_path();
-  return place.has_relative_path();
 }
 
 }  // namespace volumen

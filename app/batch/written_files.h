@@ -2,7 +2,6 @@
 
 #include <map>
 #include <optional>
-#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -11,13 +10,8 @@
 
 namespace volumen {
 
-/// A file that a piece writes, and the output that it belongs to.
-struct WrittenName {
-  std::string name, output;
-};
-
-/// Returns what a piece writes besides its stamp: outputs, pictures of a turn and tables of label images.
-std::vector<WrittenName> writtenNames(const Piece& piece);
+/// Returns what a piece writes: outputs, pictures of a turn, tables of label images and its stamp.
+std::vector<std::string> writtenNames(const Piece& piece);
 
 /// How names of surfaces begin and end that a piece may write, a file for each segment: NAME-SEGMENT.stl.
 struct SurfaceNames {
@@ -41,24 +35,10 @@ class SurfacePlaces {
  public:
   void add(const Piece& piece, Places& placeOf);
   /// Returns the line of a piece that may write a file at a place, but not `besides`; 0: there is none.
-  int lineOf(const std::string& place, int besides = 0) const;
+  int lineOf(const std::string& place, int besides) const;
 
  private:
   std::map<std::pair<std::string, std::string>, int> lines_;  // by the place's begin and end
-};
-
-/// Knows the files that the pieces of a list write, with their stamps, however they are spelled.
-class WrittenFiles {
- public:
-  explicit WrittenFiles(const std::vector<Piece>& pieces);
-
-  /// Returns whether a piece writes a file, or the folder that it lies in.
-  bool has(const std::string& file);
-
- private:
-  Places placeOf_;
-  std::set<std::string> places_;
-  SurfacePlaces surfaces_;
 };
 
 }  // namespace volumen

@@ -79,7 +79,7 @@ int run(const BatchOptions& options, const CancelToken& cancel) {
   if (Status s = checkNames(*pieces, options.list, options.gathered, cancel); !s)
     return failUsage(s.message());
   worker::stop();  // each process of a piece has its own
-  const ListResult result = runList(*pieces, dealt(*pieces, *shard), options.limits, cancel);
+  const ListResult result = runList(dealt(*pieces, *shard), options.limits, cancel);
   const int status = statusOf(result);
   if (options.gathered.empty() || result.interrupted) return status;
   const Status gathered = gather(result.there, options.gathered);

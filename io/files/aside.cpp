@@ -5,6 +5,8 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
@@ -12,7 +14,6 @@
 #include <fstream>
 #include <mutex>
 #include <set>
-#include <string_view>
 
 namespace volumen {
 namespace {
@@ -38,6 +39,13 @@ void removeIfLeft(const std::string& path) {
 }
 
 }  // namespace
+
+bool isAsideName(std::string_view name) {
+  constexpr std::string_view pattern = asideName, prefix = pattern.substr(0, pattern.find('X'));
+  return name.size() == pattern.size() && name.starts_with(prefix) &&
+         std::ranges::all_of(name.substr(prefix.size()),
+                             [](unsigned char c) { return std::isalnum(c) != 0; });
+}
 
 std::string endOfLinks(const std::string& name) {
   constexpr int mostLinks = 40;  // the system's limit
@@ -69,15 +77,15 @@ mode_t rightsKept() {
 }
 
 void sweepAside(const std::string& folder) {
+  if (isFirstTime(folder)) sweepAsideAgain(folder);
+}
+
+void sweepAsideAgain(const std::string& folder) {
   namespace fs = std::filesystem;
-  constexpr std::string_view prefix = ".volumen-";
-  if (!isFirstTime(folder)) return;
   std::error_code error;
   fs::directory_iterator it(folder.empty() ? "." : folder, error);
-  for (const fs::directory_iterator end; !error && it != end; it.increment(error)) {
-    const std::string name = it->path().filename().string();
-    if (name.starts_with(prefix) && name.size() == std::strlen(asideName)) removeIfLeft(it->path().string());
-  }
+  for (const fs::directory_iterator end; !error && it != end; it.increment(error))
+    if (isAsideName(it->path().filename().string())) removeIfLeft(it->path().string());
 }
 
 Result<FolderAside> FolderAside::in(const std::string& parent) {

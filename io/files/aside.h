@@ -3,6 +3,7 @@
 #include <sys/types.h>
 
 #include <string>
+#include <string_view>
 #include <utility>
 
 #include "viewer/volume/result.h"
@@ -11,6 +12,9 @@ namespace volumen {
 
 /// Name of temporary files and folders, beside their final place, until they are complete (mkstemp).
 inline constexpr const char* asideName = ".volumen-XXXXXX";
+
+/// Returns whether a file name, without its folder, is one that mkstemp makes of asideName.
+bool isAsideName(std::string_view name);
 
 /// Returns the end of a name's symbolic links, even if nothing exists there.
 std::string endOfLinks(const std::string& name);
@@ -25,6 +29,9 @@ mode_t rightsKept();
 /// Removes temporary files that killed programs left in a folder ("": the working directory). Looks once a
 /// run.
 void sweepAside(const std::string& folder);
+
+/// As sweepAside(), but always looks: a process of this run was killed.
+void sweepAsideAgain(const std::string& folder);
 
 /// A folder that appears whole or not at all: it is filled beside its final place, locked, and removed unless
 /// it gets its name.

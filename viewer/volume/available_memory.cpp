@@ -97,8 +97,10 @@ constexpr std::uint64_t mebibyte = 1 << 20;
 constexpr std::uint64_t besides = 32 * mebibyte;
 
 struct BoundWords {
-  const char *limit, *remedy;
+  std::string limit, remedy;
 };
+
+std::string dataLimit = "ulimit -d";
 
 BoundWords wordsOf(MemoryBound bound) {
   switch (bound) {
@@ -109,7 +111,7 @@ BoundWords wordsOf(MemoryBound bound) {
     case MemoryBound::addressSpace:
       return {"the limit of ulimit -v", "allow more with ulimit -v"};
     case MemoryBound::data:
-      return {"the limit of ulimit -d", "allow more with ulimit -d"};
+      return {"the limit of " + dataLimit, "allow more with " + dataLimit};
   }
   return {"free on this machine", "close other programs, or use a machine with more"};
 }
@@ -141,6 +143,8 @@ Error tooLittleMemory(const std::string& what, std::uint64_t bytes) {
 Status checkAvailable(const std::string& what, std::uint64_t bytes) {
   return isAvailable(bytes) ? Status() : tooLittleMemory(what, bytes);
 }
+
+void nameDataLimit(const std::string& option) { dataLimit = option; }
 
 void expectAllAvailable() { asks = false; }
 

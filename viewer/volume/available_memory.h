@@ -33,6 +33,10 @@ Error tooLittleMemory(const std::string& what, std::uint64_t bytes);
 /// Returns tooLittleMemory() if `bytes` more are not available.
 Status checkAvailable(const std::string& what, std::uint64_t bytes);
 
+/// Names in messages what the limit of `ulimit -d` is from for the rest of the process: an option of this
+/// program.
+void nameDataLimit(const std::string& option);
+
 /// Throws std::bad_alloc if `bytes` is at least 32 MiB and not available. Control groups kill processes that
 /// exceed their limit instead of failing the allocation.
 void expectAvailable(std::uint64_t bytes);

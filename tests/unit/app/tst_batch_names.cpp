@@ -14,8 +14,9 @@ class TestBatchNames : public QObject {
   void tablesReplaceNothing();
   void surfacesThatCannotMeetMayHaveLikeNames_data();
   void surfacesThatCannotMeetMayHaveLikeNames();
-  void whatTheListWritesIsNoSource_data();
-  void whatTheListWritesIsNoSource();
+  void foldersThatAreReadStay_data();
+  void foldersThatAreReadStay();
+  void filesMayHaveOutputsBesideThem();
   void messagesHaveTheNamesThatWereAskedFor_data();
   void messagesHaveTheNamesThatWereAskedFor();
   void whatIsReadStaysByHand_data();
@@ -32,7 +33,6 @@ void fillSources(const BatchFolder& folder) {
     QCOMPARE(runProgram(QStringLiteral("convert phantom:ct-head:16 -o %1").arg(folder.at(name))).status, 0);
   folder.write(QStringLiteral("roi.json"), R"([{"kind": "length", "points": [[0, 0, 0], [0, 30, 0]]}])");
   folder.write(QStringLiteral("src/t.csv"), "a,b\n1,2\n");
-  folder.write(QStringLiteral("src/s-mine.stl"), "mine");
   QVERIFY(QFile::link(folder.at(firstSlice), folder.at(QStringLiteral("link.nrrd"))));
 }
 
@@ -40,7 +40,7 @@ void fillSources(const BatchFolder& folder) {
 QByteArray sourceBytes(const BatchFolder& folder) {
   return folder.contents(firstSlice) + folder.contents(QStringLiteral("v.nrrd")) +
          folder.contents(QStringLiteral("roi.json")) + folder.contents(QStringLiteral("src/t.csv")) +
-         folder.contents(QStringLiteral("src/s-mine.stl")) + folder.contents(QStringLiteral("jobs"));
+         folder.contents(QStringLiteral("jobs"));
 }
 
 }  // namespace
@@ -52,20 +52,21 @@ void TestBatchNames::whatIsReadStays_data() {
     QTest::newRow(name) << QByteArray(list) << QByteArray(said);
   };
   row("a file of a source folder", R"({"command": "info", "path": "src", "output": "src/slice-00001.dcm"})",
-      "Line 1 of the list: it writes src/slice-00001.dcm, which line 1 reads");
+      "Line 1 of the list: it writes src/slice-00001.dcm, in the folder that line 1 reads: choose another "
+      "folder.");
   row("a source by another spelling", R"({"command": "info", "path": "v.nrrd", "output": "src/../v.nrrd"})",
       "it writes src/../v.nrrd, which line 1 reads");
   row("a link to a source", R"({"command": "info", "path": "src", "output": "link.nrrd"})",
-      "it writes link.nrrd, which line 1 reads");
+      "it writes link.nrrd, in the folder that line 1 reads");
   row("a file of an option",
       R"({"command": "measure", "path": "v.nrrd", "roi": "roi.json", "output": "roi.json"})",
       "it writes roi.json, which line 1 reads");
   row("times onto a source",
       R"({"command": "render", "path": "src", "output": "a.png", "stats": "src/slice-00001.dcm"})",
-      "it writes src/slice-00001.dcm, which line 1 reads");
+      "it writes src/slice-00001.dcm, in the folder that line 1 reads");
   row("an error map onto a source",
       R"({"command": "render", "path": "src", "output": "a.png", "error-map": "src/slice-00001.dcm"})",
-      "it writes src/slice-00001.dcm, which line 1 reads");
+      "it writes src/slice-00001.dcm, in the folder that line 1 reads");
   row("the list", R"({"command": "info", "path": "src", "output": "./jobs"})",
       "it writes ./jobs, which is the list itself");
   row("a source of another line",
@@ -97,9 +98,6 @@ void TestBatchNames::whatIsReadStays_data() {
       "{\"command\": \"export\", \"path\": \"v.nrrd\", \"as\": \"stl\", \"segments\": \"roi.json\", "
       "\"output\": \"./s-a.stl\"}",
       "Line 1 of the list: it writes s-a-1.stl, as line 2 may do, a file for each segment");
-  row("a surface in a source folder",
-      R"({"command": "segment", "path": "src", "from": "v.nrrd", "output": "src/s.stl"})",
-      "Line 1 of the list: it may write src/s-mine.stl, which line 1 reads");
   row("a stamp of another line",
       "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"b\"}\n"
       "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"b.volumen-stamp\"}",
@@ -128,8 +126,8 @@ void TestBatchNames::tablesReplaceNothing_data() {
     QTest::newRow(table) << QString::fromLatin1(table) << QByteArray(said);
   };
   row("jobs", "which is the list itself");
-  row("src/slice-00001.dcm", "which line 1 reads");
-  row("src/t.csv", "which line 1 reads");
+  row("src/t.csv", "in the folder that line 1 reads: choose another folder.");
+  row("src/sub/new.csv", "in the folder that line 1 reads");
   row("a.csv", "which line 1 writes");
   row("a.csv.volumen-stamp", "which line 1 writes");
 }
@@ -178,34 +176,84 @@ void TestBatchNames::surfacesThatCannotMeetMayHaveLikeNames() {
   QCOMPARE(endsIn(a.out)[2], QStringLiteral("done"));
 }
 
-void TestBatchNames::whatTheListWritesIsNoSource_data() {
+void TestBatchNames::foldersThatAreReadStay_data() {
   QTest::addColumn<QByteArray>("list");
-  const auto row = [](const char* name, const char* list) { QTest::newRow(name) << QByteArray(list); };
-  row("a picture", R"({"command": "render", "path": "src", "size": "16x16", "output": "src/a.png"})");
-  row("by another spelling",
-      R"({"command": "render", "path": "src", "size": "16x16", "output": "src/../src/a.png"})");
-  row("pictures of a turn",
-      R"({"command": "render", "path": "src", "size": "16x16", "turntable": 2, "output": "src/a.png"})");
-  row("a folder", R"({"command": "convert", "path": "src", "output": "src/o/"})");
-  row("of other lines",
-      "{\"command\": \"info\", \"path\": \"src\", \"output\": \"a\"}\n"
-      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"src/b\"}");
+  QTest::addColumn<QByteArray>("said");
+  const auto row = [](const char* name, const char* list, const char* said) {
+    QTest::newRow(name) << QByteArray(list) << QByteArray(said);
+  };
+  row("a new file", R"({"command": "info", "path": "src", "output": "src/a"})",
+      "Line 1 of the list: it writes src/a, in the folder that line 1 reads");
+  row("at some depth", R"({"command": "info", "path": "src", "output": "src/a/b/c"})",
+      "it writes src/a/b/c, in the folder that line 1 reads");
+  row("by another spelling", R"({"command": "info", "path": "./src/", "output": "src/../src/a"})",
+      "it writes src/../src/a, in the folder that line 1 reads");
+  row("through a link to the folder", R"({"command": "info", "path": "src", "output": "again/a"})",
+      "it writes again/a, in the folder that line 1 reads");
+  row("a link that leads out of the folder", R"({"command": "info", "path": "src", "output": "src/out"})",
+      "it writes src/out, in the folder that line 1 reads");
+  row("the folder that the program works in", R"({"command": "info", "path": ".", "output": "a"})",
+      "it writes a, in the folder that line 1 reads");
+  row("another folder", R"({"command": "convert", "path": "src", "output": "src/o/"})",
+      "it writes src/o, in the folder that line 1 reads");
+  row("pictures of a turn", R"({"command": "render", "path": "src", "turntable": 2, "output": "src/a.png"})",
+      "it writes src/a-000.png, in the folder that line 1 reads");
+  row("a table of numbers",
+      R"({"command": "segment", "path": "src", "range": "1:", "output": "s.mha", "csv": "src/a.csv"})",
+      "it writes src/a.csv, in the folder that line 1 reads");
+  row("surfaces", R"({"command": "segment", "path": "src", "from": "v.nrrd", "output": "src/s.stl"})",
+      "it writes src/s.stl, in the folder that line 1 reads");
+  row("of another line",
+      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"src/b\"}\n"
+      "{\"command\": \"info\", \"path\": \"src\", \"output\": \"a\"}",
+      "Line 1 of the list: it writes src/b, in the folder that line 2 reads");
+  row("a folder that is not there yet",
+      "{\"command\": \"info\", \"path\": \"v.nrrd\", \"output\": \"new/b\"}\n"
+      "{\"command\": \"info\", \"path\": \"new\", \"output\": \"a\"}",
+      "Line 1 of the list: it writes new/b, in the folder that line 2 reads");
+  row("a folder of an option",
+      R"({"command": "slice", "path": "v.nrrd", "overlay": "src", "output": "src/a.png"})",
+      "Line 1 of the list: it writes src/a.png, in the folder that line 1 reads");
+  row("the folder of a DICOMDIR", R"({"command": "info", "path": "disk/DICOMDIR", "output": "disk/a"})",
+      "Line 1 of the list: it writes disk/a, in the folder that line 1 reads");
 }
 
-// All else in the folder is one.
-void TestBatchNames::whatTheListWritesIsNoSource() {
+// What a piece reads would depend on which other pieces have ended.
+void TestBatchNames::foldersThatAreReadStay() {
   QFETCH(QByteArray, list);
+  QFETCH(QByteArray, said);
   const BatchFolder folder;
   fillSources(folder);
+  QVERIFY(QFile::link(folder.at(QStringLiteral("src")), folder.at(QStringLiteral("again"))));
+  folder.write(QStringLiteral("elsewhere"), "old");
+  QVERIFY(QFile::link(folder.at(QStringLiteral("elsewhere")), folder.at(QStringLiteral("src/out"))));
+  QVERIFY(QDir(folder.at({})).mkdir(QStringLiteral("disk")));
+  folder.write(QStringLiteral("disk/DICOMDIR"), QByteArray(128, '\0') + "DICM 1.2.840.10008.1.3.10");
   folder.write(QStringLiteral("jobs"), list);
-  const int count = int(list.count('\n')) + 1;
+  const QStringList files = folder.files();
+  const QStringList sources = QDir(folder.at(QStringLiteral("src"))).entryList();
+  const Outcome a = folder.batch();
+  QCOMPARE(a.status, 2);
+  QVERIFY2(a.err.contains(said + ": choose another folder.") && a.out.isEmpty(), a.err);
+  QCOMPARE(folder.files(), files);
+  QCOMPARE(QDir(folder.at(QStringLiteral("src"))).entryList(), sources);
+}
+
+// A word that is no path names no folder, even if there is one.
+void TestBatchNames::filesMayHaveOutputsBesideThem() {
+  const BatchFolder folder;
+  fillSources(folder);
+  const QString bone = QStringLiteral("bone");
+  QVERIFY(QDir(folder.at({})).mkdir(bone));
+  folder.write(QStringLiteral("jobs"), listOf({piece(QStringLiteral("info"), QStringLiteral("src/a.txt"),
+                                                     {{QStringLiteral("path"), firstSlice}}),
+                                               piece(QStringLiteral("segment"), QStringLiteral("bone/b.mha"),
+                                                     {{QStringLiteral("recipe"), bone}})}));
   for (const char* end : {"done", "skipped"}) {
     const Outcome a = folder.batch();
     QVERIFY2(a.status == 0, a.out + a.err);
-    QCOMPARE(endsIn(a.out), all(count, QString::fromLatin1(end)));
+    QCOMPARE(endsIn(a.out), all(2, QString::fromLatin1(end)));
   }
-  folder.write(QStringLiteral("src/new.txt"), "new");
-  QCOMPARE(endsIn(folder.batch().out)[1], QStringLiteral("done"));
 }
 
 void TestBatchNames::messagesHaveTheNamesThatWereAskedFor_data() {

@@ -25,6 +25,8 @@ class TestPaths : public QObject {
   void whatIsNoFileIsASentence();
   void linksOutAreToldNotFollowed();
   void linksInsideAreFollowed();
+  void whatIsNotCompleteIsNotRead_data();
+  void whatIsNotCompleteIsNotRead();
   void terminalsGetNoControls();
   void anyBytesNameAnOutput_data();
   void anyBytesNameAnOutput();
@@ -104,6 +106,34 @@ void TestPaths::linksInsideAreFollowed() {
   const QJsonObject found = QJsonDocument::fromJson(a.out).object();
   QVERIFY(found[QLatin1String("refused")].toArray().isEmpty());
   QCOMPARE(found[QLatin1String("volumes")][0][QLatin1String("dims")], QJsonValue(QJsonArray{8, 8, 8}));
+}
+
+void TestPaths::whatIsNotCompleteIsNotRead_data() {
+  QTest::addColumn<QString>("moved");
+  QTest::addColumn<QString>("name");
+  QTest::addColumn<QString>("opened");
+  QTest::addColumn<bool>("isRead");
+  const QString all = QStringLiteral("scans"), slice = QStringLiteral("scans/slice-00001.dcm"),
+                in = QStringLiteral("in"), half = QStringLiteral(".volumen-a1B2c3");
+  QTest::newRow("a folder that is not complete") << all << half << in << false;
+  QTest::newRow("a file that is not complete") << slice << half << in << false;
+  QTest::newRow("a folder that is named itself") << all << half << in + QLatin1Char('/') + half << true;
+  QTest::newRow("a longer name") << all << QStringLiteral(".volumen-mine-folder") << in << true;
+  QTest::newRow("a shorter name") << slice << QStringLiteral(".volumen-a1B2c") << in << true;
+  QTest::newRow("a dash in the name") << slice << QStringLiteral(".volumen-my-own") << in << true;
+}
+
+void TestPaths::whatIsNotCompleteIsNotRead() {
+  QFETCH(QString, moved);
+  QFETCH(QString, name);
+  QFETCH(QString, opened);
+  QFETCH(bool, isRead);
+  const QDir folder(folder_->path());
+  QVERIFY(folder.mkdir(QStringLiteral("in")) &&
+          QDir().rename(folder.filePath(moved), folder.filePath(QStringLiteral("in/") + name)));
+  const Outcome a = runProgram(QStringLiteral("info %1").arg(folder.filePath(opened)));
+  QCOMPARE(a.status, isRead ? 0 : 1);
+  QCOMPARE(a.err.contains("No images found"), !isRead);
 }
 
 void TestPaths::terminalsGetNoControls() {
