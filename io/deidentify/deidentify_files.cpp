@@ -102,7 +102,8 @@ class Copies {
   }
 
   void write(const std::string& path, const DeidentifiedFile& file, bool isFaceless) {
-    const std::string series = folder_ + "/" + nameForUid(file.studyUid) + "/" + nameForUid(file.seriesUid);
+    const std::string series =
+        (fs::path(folder_) / nameForUid(file.studyUid) / nameForUid(file.seriesUid)).string();
     const std::string target = series + "/" + nameForUid(file.instanceUid) + ".dcm";
     if (!claim(target)) return compareLater({path, target, file, isFaceless});
     std::error_code ignored;
