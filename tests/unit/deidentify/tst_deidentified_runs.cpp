@@ -6,6 +6,8 @@
 #include <QFile>
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <memory>
+#include <tuple>
 
 #include "tests/fixtures/fixtures.h"
 #include "tests/unit/deidentify/exported.h"
@@ -116,14 +118,17 @@ void TestDeidentifiedRuns::keptPrivateAttributesLoseIdentity() {
           std::pair(Uint16(0x2001), "Philips Imaging DD 001"),
           std::pair(Uint16(0x7053), "Philips PET Private Group")})
       data.putAndInsertString(DcmTag(group, 0x0010, EVR_LO), creator);
-    if (isBytes)
-      data.putAndInsertUint8Array(attribute, reinterpret_cast<const Uint8*>(value.constData()),
-                                  static_cast<unsigned long>(value.size()));
-    else
-      data.putAndInsertString(attribute, value.constData());
+    if (!isBytes) return void(data.putAndInsertString(attribute, value.constData()));
+    auto bytes = std::make_unique<DcmOtherByteOtherWord>(attribute);
+    bytes->putUint8Array(reinterpret_cast<const Uint8*>(value.constData()),
+                         static_cast<unsigned long>(value.size()));
+    if (data.insert(bytes.get()).good()) std::ignore = bytes.release();
   };
   const QString path = exported_.pathOf("in.dcm");
   writeDicom(path.toStdString(), picture);
+  DcmFileFormat source;
+  QVERIFY(source.loadFile(path.toUtf8().constData()).good());
+  QVERIFY(source.getDataset()->tagExists(attribute));
   QCOMPARE(exported_.run(path, {QStringLiteral("--keep"), QStringLiteral("private")}).status, 0);
   const auto copy = exported_.only();
   QVERIFY(copy);

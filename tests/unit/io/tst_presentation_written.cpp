@@ -251,7 +251,7 @@ void TestPresentationWritten::whatCannotBeWrittenIsRefused() {
   QVERIFY(refused(p, *frame, "has no picture 1.2.99"));
   p.pictures = {{in.series.sopInstanceUids[0], {}, {}, {}}};
   p.areas.push_back({{{in.series.sopInstanceUids[1], {}, {}, {}}}, {}});
-  QVERIFY(refused(p, *frame, "does not name"));
+  QVERIFY(refused(p, *frame, "does not list"));
   writeAll(in.out(), {1});
   const auto notes = writePresentationState({}, in.series, *frame, {}, in.out());
   QVERIFY(!notes && notes.message().find("is there already") != std::string::npos);
