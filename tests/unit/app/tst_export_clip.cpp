@@ -2,17 +2,16 @@
 // --plane frame` bit for bit, with square pixels, in one window, as fast as the file of a clip says.
 #include <QDir>
 #include <QImage>
-#include <QTemporaryDir>
 
 #include "tests/fixtures/fixtures.h"
-#include "tests/fixtures/program.h"
 #include "tests/fixtures/read_film.h"
+#include "tests/unit/app/film_case.h"
 #include "tests/unit/io/dicom_writer.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
 
-class TestExportClip : public QObject {
+class TestExportClip : public QObject, FilmFolder {
   Q_OBJECT
  private Q_SLOTS:
   void clipsAreTheirFrames_data();
@@ -20,15 +19,6 @@ class TestExportClip : public QObject {
   void pixelsOfFilmsAreSquare_data();
   void pixelsOfFilmsAreSquare();
   void framesWithoutAWindowShareOne();
-
- private:
-  QString at(const QString& name) const { return folder_.filePath(name); }
-  Outcome run(const QString& command, const QString& path, const QString& options,
-              const QString& output) const {
-    return runProgram(QStringList{command, path, QStringLiteral("-o"), output} +
-                      options.split(QLatin1Char(' '), Qt::SkipEmptyParts));
-  }
-  QTemporaryDir folder_;
 };
 
 void TestExportClip::clipsAreTheirFrames_data() {
@@ -91,8 +81,7 @@ void TestExportClip::pixelsOfFilmsAreSquare_data() {
 void TestExportClip::pixelsOfFilmsAreSquare() {
   QFETCH(QByteArray, spacing);
   QFETCH(QSize, size);
-  const QTemporaryDir folder;
-  const QString dicom = folder.filePath(QStringLiteral("one.dcm")), path = at(QStringLiteral("square.png"));
+  const QString dicom = at(QStringLiteral("one.dcm")), path = at(QStringLiteral("square.png"));
   DicomPicture picture{.columns = 4, .rows = 4, .spacing = spacing.toStdString(), .pixels = {}};
   for (int n = 0; n < 16; ++n) picture.pixels.push_back(std::uint16_t(n % 4 < 2 || n < 8 ? 0 : 100));
   writeDicom(dicom.toStdString(), picture);
@@ -113,13 +102,13 @@ void TestExportClip::pixelsOfFilmsAreSquare() {
 
 // Two slices of 100 and 200 all over are black and white: each by itself would be in a window of its own.
 void TestExportClip::framesWithoutAWindowShareOne() {
-  const QString folder = at(QStringLiteral("two"));
-  QVERIFY(QDir().mkpath(folder));
+  const QString slices = at(QStringLiteral("two"));
+  QVERIFY(QDir().mkpath(slices));
   for (int n = 0; n < 2; ++n)
-    writeDicom(folder.toStdString() + "/" + std::to_string(n),
+    writeDicom(slices.toStdString() + "/" + std::to_string(n),
                {.instance = n + 1, .position = {0, 0, n}, .pixels = {std::uint16_t(100 * (n + 1))}});
   const QString path = at(QStringLiteral("shared.png"));
-  const Outcome done = run(QStringLiteral("export"), folder, QStringLiteral("--as apng --plane frame"), path);
+  const Outcome done = run(QStringLiteral("export"), slices, QStringLiteral("--as apng --plane frame"), path);
   QVERIFY2(done.status == 0, done.err);
   const FilmRead film = readAnimatedPng(contentsOf(path));
   QCOMPARE(film.pictures.size(), std::size_t(2));

@@ -4,17 +4,16 @@
 #include <QDir>
 #include <QFile>
 #include <QImage>
-#include <QTemporaryDir>
 #include <nlohmann/json.hpp>
 
 #include "tests/fixtures/fixtures.h"
-#include "tests/fixtures/program.h"
 #include "tests/fixtures/read_film.h"
+#include "tests/unit/app/film_case.h"
 #include "tests/unit/suite.h"
 
 using namespace volumen::tests;
 
-class TestExportFilm : public QObject {
+class TestExportFilm : public QObject, FilmFolder {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase();
@@ -31,13 +30,6 @@ class TestExportFilm : public QObject {
   void whatCannotBeIsSaid();
 
  private:
-  QString at(const QString& name) const { return folder_.filePath(name); }
-  Outcome run(const QString& command, const QString& path, const QString& options,
-              const QString& output) const {
-    return runProgram(QStringList{command, path, QStringLiteral("-o"), output} +
-                      options.split(QLatin1Char(' '), Qt::SkipEmptyParts));
-  }
-  QTemporaryDir folder_;
   const QString phantom_ = QStringLiteral("phantom:ct-head:24");
 };
 
@@ -276,11 +268,11 @@ void TestExportFilm::whatCannotBeIsSaid() {
   QFile there(at(QStringLiteral("time.nrrd.png")));
   QVERIFY(there.open(QIODevice::WriteOnly) && there.write("here") == 4);
   there.close();
-  const QStringList before = QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden);
+  const QStringList before = QDir(folder.path()).entryList(QDir::Files | QDir::Hidden);
   const Outcome a = run(QStringLiteral("export"), phantom_, options, output);
   QVERIFY(a.status != 0);
   QVERIFY2(a.err.contains(says), a.err);
-  QCOMPARE(QDir(folder_.path()).entryList(QDir::Files | QDir::Hidden), before);
+  QCOMPARE(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden), before);
   QCOMPARE(contentsOf(there.fileName()), QByteArray("here"));
 }
 
