@@ -28,7 +28,7 @@ const char* kindOf(const struct stat& s) {
   return S_ISSOCK(s.st_mode) ? "a socket" : "a device";
 }
 
-// Returns the entries of a folder, sorted by name, but not what this program has not completed there.
+// Returns the entries of a folder, sorted by name, without files that this program has not completed.
 std::vector<std::string> entries(const std::string& folder, std::error_code& error) {
   std::vector<std::string> paths;
   std::filesystem::directory_iterator it(folder, error);

@@ -1,16 +1,15 @@
 #include "app/batch/written_files.h"
 
 #include <algorithm>
-#include <cctype>
 #include <charconv>
 #include <filesystem>
 
 #include "app/batch/stamps.h"
 #include "app/output_names.h"
+#include "app/recipe_word.h"
 #include "io/export/export_segments.h"
 #include "io/export/label_table.h"
 #include "io/files/header_text.h"
-#include "viewer/recipe/recipe.h"
 
 namespace volumen {
 
@@ -37,23 +36,12 @@ bool hasWord(const Piece& piece, std::string_view begin) {
   return std::ranges::any_of(piece.words, [&](const std::string& word) { return word.starts_with(begin); });
 }
 
-// Returns the letters and digits of a name.
-std::string lettersOf(const std::string& name) {
-  std::string letters;
-  for (const char c : lowerCase(name))
-    if (std::isalnum(static_cast<unsigned char>(c))) letters += c;
-  return letters;
-}
-
 // A range is one segment, and so are most recipes. What a file holds is not known.
 bool hasOneSegment(const Piece& piece) {
   if (hasWord(piece, "--range=")) return true;
   return std::ranges::any_of(builtInRecipes(), [&](const Recipe& recipe) {
     return recipe.segments.size() == 1 &&
-           std::ranges::any_of(piece.words,
-                               [word = "recipe" + lettersOf(recipe.name)](const std::string& one) {
-                                 return one.starts_with("--recipe=") && lettersOf(one) == word;
-                               });
+           std::ranges::find(piece.words, "--recipe=" + recipeWord(recipe)) != piece.words.end();
   });
 }
 

@@ -11,6 +11,7 @@
 #include "app/command.h"
 #include "app/open_volume.h"
 #include "app/output_names.h"
+#include "app/recipe_word.h"
 #include "app/segment_numbers.h"
 #include "app/segment_text.h"
 #include "app/usage.h"
@@ -72,18 +73,6 @@ Result<Recipe> recipeOfRange(const SegmentCommandOptions& options) {
   return recipe;
 }
 
-// Returns the command line's name of a built-in recipe: "lungs-and-airways".
-std::string wordOf(const Recipe& recipe) {
-  std::string word;
-  for (const char c : recipe.name)
-    if (std::isalnum(static_cast<unsigned char>(c)))
-      word += char(std::tolower(static_cast<unsigned char>(c)));
-    else if (!word.empty() && word.back() != '-')
-      word += '-';
-  while (word.ends_with('-')) word.pop_back();
-  return word;
-}
-
 bool isFile(const std::string& recipe) {
   return recipe.ends_with(".json") || recipe.find('/') != std::string::npos;
 }
@@ -92,8 +81,8 @@ Result<Recipe> recipeNamed(const std::string& name) {
   if (isFile(name)) return recipeFromFile(name);
   std::vector<std::string> words;
   for (const Recipe& recipe : builtInRecipes()) {
-    if (wordOf(recipe) == name) return recipe;
-    words.push_back(wordOf(recipe));
+    if (recipeWord(recipe) == name) return recipe;
+    words.push_back(recipeWord(recipe));
   }
   const auto meant = similarName(name, words);
   return Error{"There is no recipe \"" + name + "\"" + (meant ? "; did you mean \"" + *meant + "\"?" : ".") +
@@ -241,7 +230,7 @@ int run(const SegmentCommandOptions& options, const CancelToken& cancel) {
 void addListRecipes(CLI::App& app) {
   const auto list = [] {
     for (const Recipe& recipe : builtInRecipes())
-      std::cout << wordOf(recipe) << "\n    " << recipe.description << '\n';
+      std::cout << recipeWord(recipe) << "\n    " << recipe.description << '\n';
     throw CLI::Success();
   };
   app.add_flag_callback("--list-recipes", list, "List the built-in recipes");

@@ -40,7 +40,7 @@ struct DeidentifiedFile {
 Result<DeidentifiedFile> deidentifiedFile(const std::string& path, const Deidentification& how,
                                           const CancelToken& cancel);
 
-/// Returns a single-frame image de-identified in the same way, with `pixels` in place of its own. `pixels`
+/// Returns a single-frame image as deidentifiedFile() does, with `pixels` in place of its own. `pixels`
 /// lack the face, so the image becomes DERIVED and uncompressed. It says Recognizable Visual Features NO and
 /// has the code of that option. Also returns an Error if the file is not one 16-bit frame of this size.
 Result<DeidentifiedFile> facelessFile(const std::string& path, const StoredSlice& pixels,

@@ -49,8 +49,8 @@ std::vector<std::string_view> splitAt(char separator, std::string_view text) {
   return parts;
 }
 
-// Returns one action where the table allows several, such as "X/Z/D". A classic image loses the attribute if
-// X is among them.
+// Returns the action to take where the table allows several, such as "X/Z/D". A classic image loses the
+// attribute if X is among them.
 ProfileAction oneOf(std::string_view actions, bool isClassic) {
   const auto has = [&](char action) { return actions.find(action) != std::string_view::npos; };
   if (has('U')) return ProfileAction::newUid;

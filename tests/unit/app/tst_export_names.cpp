@@ -54,8 +54,8 @@ constexpr NamedFormat namedFormats[] = {
     {"slices of segments", "series --segments SEGMENTS", true},
     {"slices without segments", "series --segments SEGMENTS --without-segments", true}};
 
-// Returns the formats to try with a text: a third of them, others for texts of other lengths, or all if
-// isThorough().
+// Returns the formats to try with a text. They are a third of all, which the length of the text chooses, or
+// all if isThorough().
 std::vector<NamedFormat> formatsFor(const QString& text) {
   std::vector<NamedFormat> formats;
   qsizetype n = text.size();

@@ -198,7 +198,8 @@ void TestSliceTwin::obliquePlanesOfStudies() {
   QCOMPARE(faultsOf(slice, *volume, plane), QString());
 }
 
-// Of each grid a third, so that three grids together have all samplings, unless isThorough().
+// Each grid has a third of the samplings, so that three grids together have all. If isThorough(), each has
+// all.
 void TestSliceTwin::everySamplingOfEveryGrid_data() {
   QTest::addColumn<QString>("grid");
   QTest::addColumn<int>("slab");
